@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "field/field.h"
+#include "field/source.h"
+
+namespace cydonia {
+
+using Rgba8 = std::array<std::uint8_t, 4>;
+using Rgb8 = std::array<std::uint8_t, 3>;
+using Rgb = std::array<float, 3>;  // linear
+
+// Names and values for a file's header: {"cydonia:seed", "7"}.
+using Metadata = std::map<std::string, std::string>;
+
+// Images come from strangers: at most 16384 x 16384 pixels, refused before anything is
+// allocated. Every reader throws bad_request, naming the file and what is wrong with it.
+Field<Rgba8> read_rgba(const Source& source);
+// Luma of the stored values, 0 to 1, over white where the image is transparent.
+Field<float> read_grey(const Source& source);
+// A linear RGB EXR, as POV-Ray writes it.
+Field<Rgb> read_exr_rgb(const std::filesystem::path& path);
+// A single-channel 32-bit EXR; `metadata` takes its string attributes when given.
+Field<float> read_exr(const std::filesystem::path& path, Metadata* metadata = nullptr);
+
+// Written to a temporary name and renamed (field/files.h).
+void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey);
+void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey);
+void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb);
+void write_exr(const std::filesystem::path& path, const Field<float>& values,
+               const std::string& channel, const Metadata& metadata = {});
+// Half float, zip.
+void write_exr(const std::filesystem::path& path, const Field<Rgb>& rgb,
+               const Metadata& metadata = {});
+
+// Area-averaged to width x height, for masks and targets.
+Field<float> resized(const Field<float>& image, int width, int height);
+
+}  // namespace cydonia

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "field/field.h"
+#include "field/sun.h"
+
+namespace cydonia {
+
+// What a terrain promises: under `sun` its shadows show `target`.
+struct ShadowImage {
+    std::string name;            // a file-name-safe word: "text"
+    Field<std::uint8_t> target;  // same shape as the heights; 1 in shadow, 0 lit
+    Sun sun;
+    double min_iou = 0.85;  // the check fails below
+};
+
+// Land: square cells, samples at cell centres, so that N samples span N cells.
+struct Terrain {
+    Field<float> heights;  // metres
+    double spacing = 1.0;  // metres from a sample to the next; the size of a cell
+    std::map<std::string, Field<float>> masks;  // 0 to 1, same shape as the heights
+    std::vector<ShadowImage> shadows;
+
+    double width() const { return spacing * heights.width(); }   // west to east, metres
+    double depth() const { return spacing * heights.height(); }  // south to north, metres
+};
+
+}  // namespace cydonia

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "field/camera.h"
+#include "field/quantise.h"
+#include "field/terrain.h"
+#include "render/options.h"
+
+namespace cydonia::render {
+
+// One frame to be drawn: everything the .pov says, resolved.
+struct Shot {
+    std::string title;  // for the comment at the top; any bytes
+    std::string name;   // file-name-safe; the .pov and the frame are called after it
+    Camera camera;
+    Sun sun;
+    Options options;
+    Quality quality = Quality::kPreview;
+};
+
+// The .pov as text, commented, to run with plain `povray` in the folder of its assets.
+// Pure.
+std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing);
+
+// Writes the shared assets (heights.png, ground.png) and per shot sky_<name>.exr,
+// <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants it.
+void write_pov_assets(const std::filesystem::path& folder, const Terrain& terrain,
+                      const Options& options);
+void write_pov_scene(const std::filesystem::path& folder, const Shot& shot,
+                     const Terrain& terrain);
+
+}  // namespace cydonia::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "synth/context.h"
+#include "synth/distance/distance.h"
+#include "synth/pareidolia/pareidolia.h"
+
+namespace cydonia {
+
+// The list of methods: one alternative each, one folder each.
+using StageOptions = std::variant<distance::Options, pareidolia::Options>;
+
+inline Terrain run(const StageOptions& options, const Terrain& terrain,
+                   const Context& context) {
+    return std::visit([&](const auto& o) { return run(o, terrain, context); }, options);
+}
+
+struct Method {
+    std::string_view name;  // in scene files
+    int version;            // part of a stage's cache key
+};
+
+inline Method method_of(const StageOptions& options) {
+    struct Visitor {
+        Method operator()(const distance::Options&) const {
+            return {"distance", distance::kVersion};
+        }
+        Method operator()(const pareidolia::Options&) const {
+            return {"pareidolia", pareidolia::kVersion};
+        }
+    };
+    return std::visit(Visitor{}, options);
+}
+
+}  // namespace cydonia
