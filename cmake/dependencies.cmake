@@ -4,7 +4,6 @@ find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(OpenImageIO REQUIRED)
-find_package(OpenColorIO REQUIRED)
 find_package(GDAL CONFIG REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -14,6 +13,8 @@ if(NOT embree_FOUND)
     find_package(embree 3.13 REQUIRED)
 endif()
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0)
+# Debian 12's CMake package of OpenColorIO names a folder that does not exist; its .pc is right.
+pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
 # Debian's libopencv-core-dev and -imgproc-dev come without the CMake package of the whole of OpenCV.

@@ -1,0 +1,2 @@
+#include "config/reader/scene.h"
+int main() { return 1; }
