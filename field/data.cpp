@@ -1,5 +1,41 @@
 #include "field/data.h"
+
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
 #include "field/error.h"
+
 namespace cydonia {
-std::filesystem::path data_file(std::string_view) { throw failure("not built yet"); }
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<fs::path> data_folders() {
+    std::vector<fs::path> folders;
+    if (const char* named = std::getenv("CYDONIA_DATA"); named && *named)
+        folders.emplace_back(named);
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (!error)
+        folders.push_back(program.parent_path().parent_path() / "share" / "cydonia");
+    folders.emplace_back(CYDONIA_SOURCE_DATA);
+    return folders;
+}
+
+}  // namespace
+
+fs::path data_file(std::string_view relative) {
+    std::string looked_in;
+    for (const fs::path& folder : data_folders()) {
+        const fs::path path = folder / relative;
+        std::error_code error;
+        if (fs::is_regular_file(path, error)) return path;
+        looked_in += (looked_in.empty() ? "" : ", ") + folder.string();
+    }
+    throw failure(
+        "the data file '{}' is missing (looked in {}); "
+        "name its folder in the environment variable CYDONIA_DATA",
+        relative, looked_in);
+}
+
 }  // namespace cydonia

@@ -34,11 +34,15 @@ void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& gr
 void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb);
 void write_exr(const std::filesystem::path& path, const Field<float>& values,
                const std::string& channel, const Metadata& metadata = {});
+// Which light the red, green and blue of an EXR stand for. Rec.709 is what an unlabelled
+// file means; ACEScg is written as the standard `chromaticities` attribute.
+enum class Primaries { kRec709, kAcesCg };
 // Half float, zip.
 void write_exr(const std::filesystem::path& path, const Field<Rgb>& rgb,
-               const Metadata& metadata = {});
+               const Metadata& metadata = {}, Primaries primaries = Primaries::kRec709);
 
-// Area-averaged to width x height, for masks and targets.
+// Stretched to width x height, each axis by itself: area average where it shrinks,
+// bilinear where it grows. For masks and targets.
 Field<float> resized(const Field<float>& image, int width, int height);
 
 }  // namespace cydonia

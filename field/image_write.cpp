@@ -1,0 +1,81 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <memory>
+#include <vector>
+
+#include "field/error.h"
+#include "field/files.h"
+#include "field/image.h"
+
+namespace cydonia {
+namespace {
+
+// Red, green, blue and white, x and y each, of the ACES document S-2014-004.
+constexpr float kAcesCgChromaticities[8] = {0.713f, 0.293f, 0.165f,   0.830f,
+                                            0.128f, 0.044f, 0.32168f, 0.33767f};
+
+// Encoded in memory, so that only write_text meets the disk: OpenImageIO does not notice
+// every write that fails.
+void write_image(const std::filesystem::path& path, const char* format,
+                 const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) throw failure("cannot write {}: {}", path.string(), OIIO::geterror());
+    output->set_ioproxy(&memory);
+    if (!output->open(path.string(), spec) || !output->write_image(type, values) ||
+        !output->close())
+        throw failure("cannot write {}: {}", path.string(), output->geterror());
+    write_text(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+template <class T>
+void write_png_of(const std::filesystem::path& path, const Field<T>& image, int channels,
+                  OIIO::TypeDesc type, const char* colour_space) {
+    OIIO::ImageSpec spec(image.width(), image.height(), channels, type);
+    spec["oiio:ColorSpace"] = colour_space;
+    write_image(path, "png", spec, type, image.data());
+}
+
+template <class T>
+void write_exr_of(const std::filesystem::path& path, const Field<T>& image,
+                  OIIO::ImageSpec spec, const Metadata& metadata) {
+    spec["compression"] = "zip";
+    spec["DateTime"] = "";  // the same values give the same bytes on any day
+    for (const auto& [name, value] : metadata) spec[name] = value;
+    write_image(path, "openexr", spec, OIIO::TypeFloat, image.data());
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey) {
+    write_png_of(path, grey, 1, OIIO::TypeUInt8, "sRGB");
+}
+
+// Heights, as a rule: labelled linear, the values untouched.
+void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey) {
+    write_png_of(path, grey, 1, OIIO::TypeUInt16, "Linear");
+}
+
+void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb) {
+    write_png_of(path, rgb, 3, OIIO::TypeUInt8, "sRGB");
+}
+
+void write_exr(const std::filesystem::path& path, const Field<float>& values,
+               const std::string& channel, const Metadata& metadata) {
+    OIIO::ImageSpec spec(values.width(), values.height(), 1, OIIO::TypeFloat);
+    spec.channelnames = {channel};
+    write_exr_of(path, values, spec, metadata);
+}
+
+void write_exr(const std::filesystem::path& path, const Field<Rgb>& rgb,
+               const Metadata& metadata, Primaries primaries) {
+    OIIO::ImageSpec spec(rgb.width(), rgb.height(), 3, OIIO::TypeHalf);
+    if (primaries == Primaries::kAcesCg)
+        spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                       kAcesCgChromaticities);
+    write_exr_of(path, rgb, spec, metadata);
+}
+
+}  // namespace cydonia
