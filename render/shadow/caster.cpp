@@ -1,12 +1,233 @@
 #include "render/shadow/caster.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <vector>
+
 #include "field/error.h"
+#include "field/parallel.h"
+
 namespace cydonia::render {
-struct Caster::Scene {};
-Caster::Caster(const Field<float>&, double) { throw failure("not built yet"); }
+
+namespace {
+
+constexpr int kMaxSide = 16384;  // Embree's grids end at 32767
+constexpr std::size_t kMaxSamples = std::size_t{1} << 32;
+constexpr int kPacket = 16;
+
+// As Embree's grid geometry wants them: x east, y north, z up, in cells, from the middle
+// of the land, where floats are densest.
+struct Vertex {
+    float x, y, z;
+};
+
+// Where a row or column of samples meets the mesh: in the square after sample `cell`,
+// `at` (0 to 1) of the way to the next.
+struct Stop {
+    int cell;
+    float at;
+};
+
+// The stops of all sample rows or columns along an axis of `count` cells. A sample on a
+// line between two squares belongs to the later one if `forward`.
+std::vector<Stop> stops(int count, int rays, bool forward) {
+    std::vector<Stop> result;
+    result.reserve(static_cast<std::size_t>(count) * rays);
+    for (int i = 0; i < count * rays; ++i) {
+        const double at = std::clamp((i + 0.5) / rays - 0.5, 0.0, count - 1.0);
+        const double cell = forward ? std::floor(at) : std::ceil(at) - 1.0;
+        const int kept = std::clamp(static_cast<int>(cell), 0, count - 2);
+        result.push_back({kept, static_cast<float>(at - kept)});
+    }
+    return result;
+}
+
+// Embree's objects count references and are released, not deleted.
+template <auto kRelease>
+struct Releaser {
+    template <class T>
+    void operator()(T* object) const {
+        kRelease(object);
+    }
+};
+template <class Object, auto kRelease>
+using Handle = std::unique_ptr<std::remove_pointer_t<Object>, Releaser<kRelease>>;
+
+Error no_memory(int width, int height) {
+    return failure("not enough memory to cast the shadows of {}x{} heights", width,
+                   height);
+}
+
+void check_request(const Field<float>& heights, double spacing) {
+    const int w = heights.width(), h = heights.height();
+    if (std::min(w, h) < 2 || std::max(w, h) > kMaxSide)
+        throw bad_request("shadows need 2x2 to {0}x{0} heights, not {1}x{2}", kMaxSide, w,
+                          h);
+    if (!(spacing > 0.0) || !std::isfinite(spacing))
+        throw bad_request("shadows need a cell size above 0 m, not {}", spacing);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (!std::isfinite(heights[i]))
+            throw bad_request(
+                "the height at column {}, row {} is not a number: fill the "
+                "voids first",
+                i % static_cast<std::size_t>(w), i / static_cast<std::size_t>(w));
+}
+
+// Marks the rays of a packet that meet the mesh: tfar becomes -inf.
+void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments how;
+    rtcInitOccludedArguments(&how);
+    how.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &rays, &how);
+#else
+    RTCIntersectContext how;
+    rtcInitIntersectContext(&how);
+    how.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &how, &rays);
+#endif
+}
+
+}  // namespace
+
+struct Caster::Scene {
+    Scene(const Field<float>& heights, double spacing);
+
+    void lay_grid(const Field<float>& heights, double spacing);
+    // Vertices lie from the south row to the north; y counts from the north, as in
+    // fields.
+    const Vertex* row(int y) const {
+        return vertices + static_cast<std::size_t>(height - 1 - y) * width;
+    }
+    void cast_row(Stop y, const std::vector<Stop>& columns, const Vec3& to_sun,
+                  std::span<std::uint8_t> shadow) const;
+
+    int width, height;
+    Handle<RTCDevice, rtcReleaseDevice> device;
+    Handle<RTCScene, rtcReleaseScene> scene;
+    const Vertex* vertices = nullptr;  // the geometry's own
+    float lift = 0.0f;                 // how far above the mesh rays start
+};
+
+Caster::Scene::Scene(const Field<float>& heights, double spacing)
+    : width(heights.width()),
+      height(heights.height()),
+      device(rtcNewDevice(nullptr)),
+      scene(rtcNewScene(device.get())) {
+    lay_grid(heights, spacing);
+    rtcCommitScene(scene.get());
+    if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw no_memory(width, height);
+}
+
+void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
+    const Handle<RTCGeometry, rtcReleaseGeometry> geometry(
+        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_GRID));
+    auto* grid = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
+    auto* laid = static_cast<Vertex*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                RTC_FORMAT_FLOAT3, sizeof(Vertex), heights.size()));
+    if (!grid || !laid) throw no_memory(width, height);
+    *grid = {0, static_cast<unsigned>(width), static_cast<std::uint16_t>(width),
+             static_cast<std::uint16_t>(height)};
+    vertices = laid;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    const double middle = 0.5 * (static_cast<double>(*low) + *high);
+    parallel_for(height, 16, [&](int y) {
+        Vertex* out = laid + static_cast<std::size_t>(height - 1 - y) * width;
+        for (int x = 0; x < width; ++x)
+            out[x] = {static_cast<float>(x - 0.5 * (width - 1)),
+                      static_cast<float>(0.5 * (height - 1) - y),
+                      static_cast<float>((heights(x, y) - middle) / spacing)};
+    });
+    // A few steps between neighbouring floats at the mesh's far end: the least that keeps
+    // planes free of their own shadow.
+    const double reach =
+        std::max({0.5 * width, 0.5 * height, (*high - middle) / spacing});
+    lift = static_cast<float>(8.0 * reach * std::numeric_limits<float>::epsilon());
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
+}
+
+void Caster::Scene::cast_row(Stop y, const std::vector<Stop>& columns, const Vec3& to_sun,
+                             std::span<std::uint8_t> shadow) const {
+    const Vertex* north = row(y.cell);
+    const Vertex* south = row(y.cell + 1);
+    const auto sun_x = static_cast<float>(to_sun.x);
+    const auto sun_y = static_cast<float>(to_sun.y);
+    const auto sun_z = static_cast<float>(to_sun.z);
+    const bool sun_north_east = sun_x + sun_y > 0.0f;
+    const float v = y.at;
+
+    alignas(64) RTCRay16 rays{};
+    alignas(64) std::array<int, kPacket> valid{};
+    std::fill_n(rays.dir_x, kPacket, sun_x);
+    std::fill_n(rays.dir_y, kPacket, sun_y);
+    std::fill_n(rays.dir_z, kPacket, sun_z);
+    std::fill_n(rays.org_y, kPacket, north->y - v);
+    std::fill_n(rays.mask, kPacket, ~0u);
+
+    for (std::size_t begin = 0; begin < columns.size(); begin += kPacket) {
+        const std::size_t count = std::min<std::size_t>(kPacket, columns.size() - begin);
+        valid.fill(0);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [x, u] = columns[begin + i];
+            const float nw = north[x].z, ne = north[x + 1].z;
+            const float sw = south[x].z, se = south[x + 1].z;
+            // The square's NW-SE diagonal is u = v; a sample on it belongs to the sunward
+            // triangle.
+            const bool north_east = u > v || (u == v && sun_north_east);
+            const float east = north_east ? ne - nw : se - sw;  // rise along u
+            const float down = north_east ? se - ne : sw - nw;  // rise along v
+            const bool faces_sun = sun_z - east * sun_x + down * sun_y > 0.0f;
+            rays.org_x[i] = north[x].x + u;
+            rays.org_z[i] = nw + u * east + v * down + lift;
+            rays.tfar[i] = std::numeric_limits<float>::infinity();
+            valid[i] = faces_sun ? -1 : 0;
+        }
+        mark_occluded(scene.get(), valid.data(), rays);
+        for (std::size_t i = 0; i < count; ++i)
+            shadow[begin + i] = !valid[i] || rays.tfar[i] < 0.0f;
+    }
+}
+
+Caster::Caster(const Field<float>& heights, double spacing) {
+    check_request(heights, spacing);
+    scene_ = std::make_unique<Scene>(heights, spacing);
+}
 Caster::~Caster() = default;
 Caster::Caster(Caster&&) noexcept = default;
 Caster& Caster::operator=(Caster&&) noexcept = default;
-Field<std::uint8_t> Caster::shadow(const Sun&, int) const {
-    throw failure("not built yet");
+
+Field<std::uint8_t> Caster::shadow(const Sun& sun, int rays) const {
+    const int w = scene_->width, h = scene_->height;
+    const Vec3 to_sun = direction_to(sun);
+    if (!(to_sun.z > 0.0))
+        throw bad_request(
+            "the sun stands {:.1f} degrees above the horizon: it must be up",
+            degrees(sun.elevation));
+    const std::size_t cells = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+    if (rays < 1 || rays > 64 || cells * rays * rays > kMaxSamples)
+        throw bad_request("{0}x{0} rays a cell are too many for {1}x{2} heights", rays, w,
+                          h);
+    const std::vector<Stop> columns = stops(w, rays, to_sun.x >= 0.0);
+    const std::vector<Stop> rows = stops(h, rays, to_sun.y < 0.0);
+    Field<std::uint8_t> shadow(w * rays, h * rays);
+    parallel_for(h * rays, [&](int y) {
+        scene_->cast_row(rows[static_cast<std::size_t>(y)], columns, to_sun,
+                         shadow.row(y));
+    });
+    return shadow;
 }
+
 }  // namespace cydonia::render

@@ -11,7 +11,8 @@ namespace cydonia::render {
 // first: field/quantise.h).
 class Caster {
   public:
-    // Builds the accelerator once; `heights` in metres, at least 2x2, finite.
+    // Builds the accelerator once; `heights` in metres. Throws bad_request unless they
+    // are 2x2 to 16384x16384 finite samples.
     Caster(const Field<float>& heights, double spacing);
     ~Caster();
     Caster(Caster&&) noexcept;
@@ -19,7 +20,7 @@ class Caster {
 
     // rays x rays samples a cell, centred in their sub-cells: (rays * width) x (rays *
     // height), 1 in shadow, 0 lit. Samples in the outer half cells stand on the mesh's
-    // edge.
+    // edge. Throws bad_request unless the sun is above the horizon.
     Field<std::uint8_t> shadow(const Sun& sun, int rays) const;
 
   private:
