@@ -8,12 +8,13 @@
 
 #include "field/error.h"
 #include "field/image.h"
+#include "field/whole.h"
 
 namespace cydonia {
 namespace {
 
 constexpr int kLargestSide = 16384;
-constexpr int kRowsAtOnce = 64;
+constexpr int kMostChannels = 256;
 
 struct Format {
     const char* name;  // OpenImageIO's
@@ -54,7 +55,10 @@ std::string one_line(std::string text) {
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path) {
-        input_ = OIIO::ImageInput::create(format_of(path));
+        const char* format = format_of(path);
+        if (!is_whole(path, format))
+            throw bad_request("{}: truncated, the file ends too early", path.string());
+        input_ = OIIO::ImageInput::create(format);
         OIIO::ImageSpec wishes;
         wishes["oiio:UnassociatedAlpha"] = 1;  // colours as they are stored
         if (!input_)
@@ -70,7 +74,8 @@ class Reader {
     // channels interleaved.
     template <class T, class Use>
     void rows(int channels, const Use& use) {
-        const int step = spec_.tile_width ? spec_.tile_height : kRowsAtOnce;
+        // One by one: several scanlines of a TIFF come without an error where it is cut.
+        const int step = spec_.tile_width ? spec_.tile_height : 1;
         const std::size_t row_size = std::size_t(spec_.width) * std::size_t(channels);
         std::vector<T> block(row_size * std::size_t(std::min(step, spec_.height)));
         for (int y = 0; y < spec_.height; y += step) {
@@ -88,6 +93,11 @@ class Reader {
         if (spec_.width > kLargestSide || spec_.height > kLargestSide)
             throw bad_request("{}: {} x {} pixels, more than {} x {}", path_.string(),
                               spec_.width, spec_.height, kLargestSide, kLargestSide);
+        if (spec_.nchannels > kMostChannels || spec_.tile_width > kLargestSide ||
+            spec_.tile_height > kLargestSide || spec_.tile_height < 0)
+            throw bad_request("{}: {} channels in tiles of {} x {}, too large",
+                              path_.string(), spec_.nchannels, spec_.tile_width,
+                              spec_.tile_height);
         if (spec_.deep || spec_.depth > 1)
             throw bad_request("{}: a deep or 3D image, not a flat one", path_.string());
     }

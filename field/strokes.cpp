@@ -1,6 +1,117 @@
 #include "field/strokes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+#include <vector>
+
 #include "field/error.h"
+#include "field/svg.h"
+
 namespace cydonia {
-Field<Rgba8> read_strokes(const Source&, int, int) { throw failure("not built yet"); }
-Field<float> read_grey_at(const Source&, int, int) { throw failure("not built yet"); }
+namespace {
+
+// SVG is drawn finer than the grid, up to this many pixels a side, so that strokes
+// thinner than a cell are seen.
+constexpr int kFinestDrawing = 4096;
+
+int pixels_a_cell(int width, int height, int most) {
+    return std::clamp(kFinestDrawing / std::max(width, height), 1, most);
+}
+
+constexpr Rgba8 kNothing{};
+constexpr std::uint8_t kWhite = 250;  // and above: paper, JPEG's noise included
+
+// A pixel is drawn, opaque, or nothing.
+Rgba8 snapped(Rgba8 pixel) {
+    const auto [r, g, b, alpha] = pixel;
+    if (alpha < 128 || (r >= kWhite && g >= kWhite && b >= kWhite)) return kNothing;
+    return {r, g, b, 255};
+}
+
+// The pixels [begin, end) whose centres fall in cell i; where the image is coarser than
+// the grid, the one pixel that holds the cell's centre.
+std::pair<int, int> pixels_of_cell(int i, int cells, int pixels) {
+    const auto first = [&](std::int64_t cell) {
+        return static_cast<int>((2 * cell * pixels + cells - 1) / (2 * cells));
+    };
+    const std::pair range(first(i), first(i + 1));
+    if (range.first < range.second) return range;
+    const int nearest =
+        static_cast<int>((2 * std::int64_t(i) + 1) * pixels / (2 * cells));
+    return {nearest, nearest + 1};
+}
+
+// The colour that most of the drawn pixels have, nothing where none is drawn.
+class Vote {
+  public:
+    void clear() { counts_.clear(); }
+    void add(Rgba8 colour) {
+        if (colour == kNothing) return;
+        for (auto& [known, count] : counts_)
+            if (known == colour) return void(++count);
+        counts_.emplace_back(colour, 1);
+    }
+    Rgba8 winner() const {
+        const auto most = std::max_element(
+            counts_.begin(), counts_.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+        return most == counts_.end() ? kNothing : most->first;
+    }
+
+  private:
+    std::vector<std::pair<Rgba8, int>> counts_;
+};
+
+// A cell that a stroke touches is drawn: thin strokes stay, and stay connected.
+Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
+    Field<Rgba8> cells(width, height, kNothing);
+    Vote vote;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto [left, right] = pixels_of_cell(x, width, image.width());
+            const auto [top, bottom] = pixels_of_cell(y, height, image.height());
+            vote.clear();
+            for (int j = top; j < bottom; ++j)
+                for (int i = left; i < right; ++i) vote.add(image(i, j));
+            cells(x, y) = vote.winner();
+        }
+    return cells;
+}
+
+float grey_over_white(Rgba8 pixel) {
+    const float luma = 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
+    return 1.0f - pixel[3] / 255.0f * (1.0f - luma / 255.0f);
+}
+
+Field<float> svg_grey(const Source& source, int width, int height) {
+    const Field<Rgba8> drawing = read_svg(source, width, height, SvgEdges::kSmooth);
+    Field<float> grey(width, height);
+    std::transform(drawing.begin(), drawing.end(), grey.begin(), grey_over_white);
+    return grey;
+}
+
+}  // namespace
+
+Field<Rgba8> read_strokes(const Source& source, int width, int height) {
+    assert(width > 0 && height > 0);
+    const int finer = pixels_a_cell(width, height, kFinestDrawing);
+    Field<Rgba8> image =
+        is_svg(source) ? read_svg(source, finer * width, finer * height, SvgEdges::kCrisp)
+                       : read_rgba(source);
+    std::transform(image.begin(), image.end(), image.begin(), snapped);
+    if (std::all_of(image.begin(), image.end(), [](Rgba8 p) { return p == kNothing; }))
+        throw bad_request(
+            "{}: nothing is drawn in it (white and transparent count as nothing)",
+            source.path.string());
+    return touched_cells(image, width, height);
+}
+
+Field<float> read_grey_at(const Source& source, int width, int height) {
+    assert(width > 0 && height > 0);
+    if (!is_svg(source)) return resized(read_grey(source), width, height);
+    const int finer = pixels_a_cell(width, height, 4);
+    return resized(svg_grey(source, finer * width, finer * height), width, height);
+}
+
 }  // namespace cydonia

@@ -6,14 +6,15 @@
 
 namespace cydonia {
 
-// Strokes as an image of width x height cells, transparent where nothing is drawn. SVG is
-// drawn through librsvg, stretched to the grid, with crisp edges so that colours do not
-// mix; PNG is resampled to the nearest pixel, but no stroke vanishes. White counts as
-// nothing. Throws bad_request when no pixel is drawn.
+// Strokes as an image of width x height cells: each pixel opaque or, where nothing is
+// drawn, all zero. White (250 and above) and less than half opaque count as nothing. SVG
+// or an image is stretched to the grid; a cell is drawn where a stroke touches it, in the
+// colour that most of it has, so that colours do not mix and no stroke vanishes. Throws
+// bad_request when nothing is drawn.
 Field<Rgba8> read_strokes(const Source& source, int width, int height);
 
-// Grey 0 to 1 of an SVG or image stretched to width x height (area average): targets,
-// masks.
+// Grey 0 to 1 over white of an SVG or image stretched to width x height (area average):
+// targets, masks.
 Field<float> read_grey_at(const Source& source, int width, int height);
 
 }  // namespace cydonia

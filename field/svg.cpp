@@ -1,0 +1,131 @@
+#include "field/svg.h"
+
+#include <cairo/cairo.h>
+#include <librsvg/rsvg.h>
+
+#include <fstream>
+#include <memory>
+
+#include "field/error.h"
+#include "field/files.h"
+
+namespace cydonia {
+namespace {
+
+constexpr std::size_t kLargestSvg = std::size_t{32} << 20;
+
+constexpr std::string_view kCrispStyle =
+    "* { shape-rendering: crispEdges !important; text-rendering: optimizeSpeed "
+    "!important; "
+    "image-rendering: optimizeSpeed !important }";
+
+template <auto free>
+struct Free {
+    template <class T>
+    void operator()(T* thing) const {
+        free(thing);
+    }
+};
+using Handle = std::unique_ptr<RsvgHandle, Free<g_object_unref>>;
+using Surface = std::unique_ptr<cairo_surface_t, Free<cairo_surface_destroy>>;
+using Canvas = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
+
+// Calls act(&error) and turns what it reports into a bad_request.
+template <class Act>
+auto checked(const Source& source, const Act& act) {
+    GError* error = nullptr;
+    const auto result = act(&error);
+    if (result) return result;
+    const std::unique_ptr<GError, Free<g_error_free>> owned(error);
+    throw bad_request("{}: {}", source.path.string(),
+                      error ? error->message : "not an SVG drawing");
+}
+
+// Loaded without a base address, so that librsvg follows no reference to another file.
+Handle opened(const Source& source, const std::string& text, SvgEdges edges) {
+    const auto* bytes = reinterpret_cast<const guint8*>(text.data());
+    Handle handle(checked(source, [&](GError** error) {
+        return rsvg_handle_new_from_data(bytes, text.size(), error);
+    }));
+    if (edges == SvgEdges::kCrisp)
+        checked(source, [&](GError** error) {
+            return rsvg_handle_set_stylesheet(
+                handle.get(), reinterpret_cast<const guint8*>(kCrispStyle.data()),
+                kCrispStyle.size(), error);
+        });
+    return handle;
+}
+
+// The drawing's own size: its width and height, else its viewBox, else the canvas.
+RsvgRectangle page_of(RsvgHandle* handle, int width, int height) {
+    RsvgRectangle page{0.0, 0.0, double(width), double(height)};
+    double own_width = 0.0, own_height = 0.0;
+    gboolean has_width, has_height, has_box;
+    RsvgLength unused_width, unused_height;
+    RsvgRectangle box{};
+    rsvg_handle_get_intrinsic_dimensions(handle, &has_width, &unused_width, &has_height,
+                                         &unused_height, &has_box, &box);
+    if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &own_width, &own_height)) {
+        page.width = own_width;
+        page.height = own_height;
+    } else if (has_box) {
+        page.width = box.width;
+        page.height = box.height;
+    }
+    return page;
+}
+
+std::uint8_t unmultiplied(std::uint32_t value, std::uint32_t alpha) {
+    return static_cast<std::uint8_t>(std::min(255u, (value * 255u + alpha / 2) / alpha));
+}
+
+// Cairo stores premultiplied ARGB in native words.
+Field<Rgba8> pixels_of(cairo_surface_t* surface) {
+    cairo_surface_flush(surface);
+    Field<Rgba8> image(cairo_image_surface_get_width(surface),
+                       cairo_image_surface_get_height(surface), Rgba8{});
+    const unsigned char* bytes = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* words =
+            reinterpret_cast<const std::uint32_t*>(bytes + std::ptrdiff_t(y) * stride);
+        for (Rgba8& pixel : image.row(y)) {
+            const std::uint32_t word = *words++;
+            const std::uint32_t alpha = word >> 24;
+            if (alpha > 0)
+                pixel = {unmultiplied(word >> 16 & 255u, alpha),
+                         unmultiplied(word >> 8 & 255u, alpha),
+                         unmultiplied(word & 255u, alpha), std::uint8_t(alpha)};
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+bool is_svg(const Source& source) {
+    std::ifstream in(source.path, std::ios::binary);
+    char first = 0;
+    in >> first;                                 // past spaces
+    if (first == '\xef') in.ignore(2) >> first;  // past a byte order mark
+    return first == '<';
+}
+
+Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges) {
+    const Handle handle = opened(source, read_text(source.path, kLargestSvg), edges);
+    const RsvgRectangle page = page_of(handle.get(), width, height);
+    if (!(page.width > 0.0 && page.height > 0.0))
+        throw bad_request("{}: the drawing has no size", source.path.string());
+
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+    const Canvas canvas(cairo_create(surface.get()));
+    cairo_scale(canvas.get(), width / page.width, height / page.height);
+    checked(source, [&](GError** error) {
+        return rsvg_handle_render_document(handle.get(), canvas.get(), &page, error);
+    });
+    if (const cairo_status_t status = cairo_status(canvas.get()))
+        throw bad_request("{}: {}", source.path.string(), cairo_status_to_string(status));
+    return pixels_of(surface.get());
+}
+
+}  // namespace cydonia

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "field/field.h"
+#include "field/image.h"
+#include "field/source.h"
+
+namespace cydonia {
+
+// By the file's first character, '<': images and SVG are told apart by what they hold.
+bool is_svg(const Source& source);
+
+// kCrisp: no pixel between two colours, every pixel drawn or not. kSmooth: antialiased.
+enum class SvgEdges { kCrisp, kSmooth };
+
+// The drawing stretched to width x height pixels, transparent where nothing is drawn, not
+// premultiplied. Files it refers to are not opened. Throws bad_request.
+Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges);
+
+}  // namespace cydonia
