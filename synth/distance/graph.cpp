@@ -1,0 +1,178 @@
+// B. Rusnell, "Distance-based terrain synthesis" (2009), section 3.3, step 1.
+
+#include "synth/distance/graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/error.h"
+#include "field/parallel.h"
+#include "field/random.h"
+
+namespace cydonia::distance {
+namespace {
+
+struct Step {
+    int x, y;
+};
+// East first, clockwise; the knight's moves of the 16-neighbourhood after.
+constexpr std::array<Step, 8> kForward{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {2, 1}, {1, 2}, {-1, 2}, {-2, 1}}};
+
+constexpr int kBandRows = 16;
+constexpr int kMaxSubdivision = 16;
+
+// A nearly normal number of variance 1 at a lattice point: the sum of four uniform ones.
+float lattice_normal(std::uint64_t row, std::int64_t x) {
+    const std::uint64_t h = mix(row ^ static_cast<std::uint64_t>(x));
+    const auto sum =
+        (h & 0xffff) + ((h >> 16) & 0xffff) + ((h >> 32) & 0xffff) + (h >> 48);
+    return (static_cast<float>(sum) - 131070.0f) * (1.7320508f / 65536.0f);
+}
+
+// 2 Phi(z) - 1, to 5e-4 (Abramowitz and Stegun 7.1.27): makes a normal number uniform in
+// [-1, 1]. Sums and products only, so that every processor gives the same bytes.
+float uniform_from_normal(float z) {
+    const float x = std::abs(z) * 0.70710678f;
+    const float p =
+        1.0f + x * (0.278393f + x * (0.230389f + x * (0.000972f + x * 0.078108f)));
+    const float q = p * p;
+    return std::copysign(1.0f - 1.0f / (q * q), z);
+}
+
+float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
+
+void check(const EdgeOptions& options) {
+    if (!(options.mean > 0.0)) {
+        throw bad_request("mean_edge_weight is {}: it must be above 0", options.mean);
+    }
+    if (!(options.deviation >= 0.0 && options.deviation < options.mean)) {
+        throw bad_request(
+            "edge_weight_deviation is {}: it must be at least 0 and below "
+            "mean_edge_weight ({})",
+            options.deviation, options.mean);
+    }
+    if (!(options.grain > 0.0)) {
+        throw bad_request("grain is {} m: it must be above 0", options.grain);
+    }
+    if (options.neighbours != 8 && options.neighbours != 16) {
+        throw bad_request("neighbours is {}: it must be 8 or 16", options.neighbours);
+    }
+    if (options.neighbours == 16 && options.metric == Options::Metric::kThesis) {
+        throw bad_request("metric \"thesis\" is for 8 neighbours: leave neighbours out");
+    }
+}
+
+Graph empty_graph(int width, int height, double spacing, const EdgeOptions& options) {
+    Graph graph;
+    graph.width = width;
+    graph.height = height;
+    graph.spacing = spacing;
+    graph.directions = options.neighbours;
+    graph.margin = options.neighbours == 16 ? 2 : 1;
+    graph.stride = width + 2 * graph.margin;
+    const int half = graph.directions / 2;
+    for (int d = 0; d < half; ++d) {
+        graph.step[d] = kForward[d].y * graph.stride + kForward[d].x;
+        graph.step[d + half] = -graph.step[d];
+    }
+    graph.weights.resize(static_cast<std::size_t>(graph.nodes()) * half);
+    return graph;
+}
+
+// The random part on a grid `subdivision` times finer than the nodes, for some rows of
+// nodes and the margin around them.
+struct Samples {
+    Field<float> values;
+    int margin = 0;
+    int subdivision = 1;
+
+    Samples(const Graph& graph, int first_row, int rows, int fineness, double grain,
+            std::uint64_t seed)
+        : values((graph.width + 2 * graph.margin) * fineness,
+                 (rows + graph.margin) * fineness + 1),
+          margin(graph.margin),
+          subdivision(fineness) {
+        const double fine = graph.spacing / fineness;
+        const double west = (0.5 - margin) * graph.spacing;
+        const double north = (first_row + 0.5) * graph.spacing;
+        for (int y = 0; y < values.height(); ++y) {
+            for (int x = 0; x < values.width(); ++x) {
+                values(x, y) =
+                    grain_noise(west + fine * x, north + fine * y, grain, seed);
+            }
+        }
+    }
+
+    // The mean along the edge that leaves node (x, row) by `step`: trapezoid rule.
+    float mean(int x, int row, Step step) const {
+        const int x0 = (x + margin) * subdivision, y0 = row * subdivision;
+        float sum = 0.5f * (values(x0, y0) +
+                            values(x0 + step.x * subdivision, y0 + step.y * subdivision));
+        for (int i = 1; i < subdivision; ++i) {
+            sum += values(x0 + step.x * i, y0 + step.y * i);
+        }
+        return sum / static_cast<float>(subdivision);
+    }
+};
+
+}  // namespace
+
+float grain_noise(double x, double y, double grain, std::uint64_t seed) {
+    // Value noise on a lattice turned against the graph, so that its squares do not show.
+    constexpr double kCos = 0.8253356149096783, kSin = 0.5646424733950354;
+    const double u = (kCos * x + kSin * y) * (2.0 / grain);
+    const double v = (kCos * y - kSin * x) * (2.0 / grain);
+    const double u0 = std::floor(u), v0 = std::floor(v);
+    const auto i = static_cast<std::int64_t>(u0), j = static_cast<std::int64_t>(v0);
+    const std::uint64_t north = mix(seed ^ static_cast<std::uint64_t>(j));
+    const std::uint64_t south = mix(seed ^ static_cast<std::uint64_t>(j + 1));
+
+    // Interpolated normal numbers divided by their deviation are normal everywhere.
+    const float s = smooth(static_cast<float>(u - u0)), s1 = 1.0f - s;
+    const float t = smooth(static_cast<float>(v - v0)), t1 = 1.0f - t;
+    const float sum =
+        t1 * (s1 * lattice_normal(north, i) + s * lattice_normal(north, i + 1)) +
+        t * (s1 * lattice_normal(south, i) + s * lattice_normal(south, i + 1));
+    const float variance = (s * s + s1 * s1) * (t * t + t1 * t1);
+    return uniform_from_normal(sum / std::sqrt(variance));
+}
+
+Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
+               std::uint64_t seed) {
+    check(options);
+    Graph graph = empty_graph(width, height, spacing, options);
+    const int half = graph.directions / 2;
+    const std::uint64_t noise_seed = hash_of({seed, key("edge weight")});
+    const int fineness = static_cast<int>(
+        std::clamp(std::ceil(8.0 * spacing / options.grain), 1.0, 1.0 * kMaxSubdivision));
+    std::array<float, 8> length{};
+    for (int d = 0; d < half; ++d) {
+        const double cells = std::hypot(kForward[d].x, kForward[d].y);
+        length[d] = static_cast<float>(
+            spacing * (options.metric == Options::Metric::kThesis ? 1.0 : cells));
+    }
+    const auto mean = static_cast<float>(options.mean);
+    const auto deviation = static_cast<float>(options.deviation);
+
+    parallel_for((height + kBandRows - 1) / kBandRows, [&](int band) {
+        const int first = band * kBandRows;
+        const int rows = std::min(kBandRows, height - first);
+        const Samples noise(graph, first, rows, fineness, options.grain, noise_seed);
+        for (int row = 0; row < rows; ++row) {
+            for (int x = 0; x < width; ++x) {
+                float* weights =
+                    &graph.weights[static_cast<std::size_t>(graph.node(x, first + row)) *
+                                   half];
+                for (int d = 0; d < half; ++d) {
+                    // Rusnell 2009, eq. 3.3
+                    weights[d] =
+                        length[d] * (mean + deviation * noise.mean(x, row, kForward[d]));
+                }
+            }
+        }
+    });
+    return graph;
+}
+
+}  // namespace cydonia::distance

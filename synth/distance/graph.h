@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "synth/distance/options.h"
+
+namespace cydonia::distance {
+
+// Rusnell 2009, section 3.3, step 1: what the edges of a graph cost.
+struct EdgeOptions {
+    double mean = 2.0;       // mu_w, metres of cost per metre
+    double deviation = 1.0;  // r, 0 <= r < mean
+    double grain = 40.0;     // wavelength of the random part, metres
+    Options::Metric metric = Options::Metric::kEuclidean;
+    int neighbours = 8;  // 8, or 16 (kEuclidean only)
+};
+
+// The 8- or 16-connected grid of a height field's samples. Nodes lie in a margin of nodes
+// that no path enters, so that the hot loop needs no bounds check.
+struct Graph {
+    int width = 0;   // samples, without the margin
+    int height = 0;  //
+    double spacing = 1.0;
+    int directions = 8;
+    int margin = 1;
+    int stride = 0;  // from a node to the one south of it
+    // From a node to its neighbour in each direction; direction d + directions / 2 is
+    // opposite to d.
+    std::array<int, 16> step{};
+    // Metres of cost of each edge, stored at its northern (or western) node: directions /
+    // 2 a node.
+    std::vector<float> weights;
+
+    int node(int x, int y) const { return (y + margin) * stride + x + margin; }
+    int x_of(int node) const { return node % stride - margin; }
+    int y_of(int node) const { return node / stride - margin; }
+    int nodes() const { return stride * (height + 2 * margin); }
+
+    float edge(int node, int direction) const {
+        const int half = directions / 2;
+        if (direction >= half) {
+            node += step[direction];
+            direction -= half;
+        }
+        return weights[static_cast<std::size_t>(node) * half + direction];
+    }
+};
+
+// Edge weights by eq. 3.3, w = mean + deviation * v, times the edge's length. v is
+// uniform in [-1, 1], a band-limited function of position in metres averaged along the
+// edge, so that another number of samples over the same ground gives the same land.
+// Throws bad_request unless 0 <= deviation < mean, grain > 0 and neighbours is 8 or 16.
+Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
+               std::uint64_t seed);
+
+// The random part at a point: uniform in [-1, 1], features `grain` metres apart.
+float grain_noise(double x, double y, double grain, std::uint64_t seed);
+
+}  // namespace cydonia::distance

@@ -1,0 +1,229 @@
+#include "synth/distance/dijkstra.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <queue>
+#include <set>
+#include <tuple>
+
+#include "field/error.h"
+#include "field/random.h"
+
+namespace cydonia::distance {
+namespace {
+
+// The textbook's algorithm on the whole graph, with the standard queue.
+template <class Growth>
+std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
+                             const Growth& growth) {
+    std::vector<Label> labels(static_cast<std::size_t>(graph.nodes()));
+    using Entry = std::pair<float, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        Label& label = labels[starts[i].node];
+        if (starts[i].cost >= label.cost) continue;
+        label = {starts[i].cost, 0.0f, static_cast<int>(i), -1};
+        queue.push({label.cost, starts[i].node});
+    }
+    std::set<int> settled;
+    while (!queue.empty()) {
+        const auto [cost, node] = queue.top();
+        queue.pop();
+        if (!settled.insert(node).second) continue;
+        const Label tail = labels[node];
+        for (int d = 0; d < graph.directions; ++d) {
+            const int next = node + graph.step[d];
+            const int x = graph.x_of(next), y = graph.y_of(next);
+            if (x < 0 || y < 0 || x >= graph.width || y >= graph.height) continue;
+            const float length = tail.length + graph.edge(node, d);
+            const float reached = growth.from(tail.origin)(length);
+            if (reached < labels[next].cost) {
+                labels[next] = {reached, length, tail.origin, node};
+                queue.push({reached, next});
+            }
+        }
+    }
+    return labels;
+}
+
+std::vector<Start> random_starts(const Graph& graph, int count, double highest,
+                                 std::uint64_t seed) {
+    std::vector<Start> starts;
+    for (int i = 0; i < count; ++i) {
+        const auto draw = [&](const char* what) {
+            return unit(hash_of({seed, key(what), static_cast<std::uint64_t>(i)}));
+        };
+        starts.push_back({graph.node(static_cast<int>(draw("x") * graph.width),
+                                     static_cast<int>(draw("y") * graph.height)),
+                          static_cast<float>(highest * draw("cost"))});
+    }
+    return starts;
+}
+
+template <class Growth>
+void expect_same_as_reference(const Graph& graph, std::span<const Start> starts,
+                              const Growth& growth, LeastCost& paths) {
+    paths.spread(starts, growth);
+    const std::vector<Label> expected = reference(graph, starts, growth);
+    for (int y = 0; y < graph.height; ++y) {
+        for (int x = 0; x < graph.width; ++x) {
+            const int node = graph.node(x, y);
+            ASSERT_EQ(paths[node].cost, expected[node].cost) << x << ", " << y;
+            ASSERT_EQ(paths[node].origin, expected[node].origin) << x << ", " << y;
+            ASSERT_EQ(paths[node].from, expected[node].from) << x << ", " << y;
+        }
+    }
+}
+
+TEST(LeastCost, EqualsReferenceOnRandomGraphs) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const Graph graph = graph_of(61, 47, 10.0,
+                                     {.mean = 2.0,
+                                      .deviation = seed % 3 == 0 ? 0.0 : 1.99,
+                                      .grain = 25.0,
+                                      .neighbours = seed % 2 ? 8 : 16},
+                                     seed);
+        LeastCost paths(graph);
+        for (int count : {1, 7, 60}) {
+            const auto starts = random_starts(graph, count, 500.0, seed);
+            expect_same_as_reference(graph, starts, RawGrowth{starts}, paths);
+        }
+    }
+}
+
+TEST(LeastCost, EqualsReferenceWithAFactorForEachStart) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const Graph graph =
+            graph_of(50, 50, 10.0, {.mean = 2.0, .deviation = 1.5, .grain = 40.0}, seed);
+        LeastCost paths(graph);
+        const auto starts = random_starts(graph, 40, 3000.0, seed);
+        std::vector<float> factors;
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            // From so flat that costs hardly rise to steeper than the queue's ring.
+            const double power = 12.0 * unit(hash_of({seed, i})) - 9.0;
+            factors.push_back(static_cast<float>(std::pow(10.0, power)));
+        }
+        expect_same_as_reference(graph, starts, ConstantGrowth{starts, factors}, paths);
+    }
+}
+
+TEST(LeastCost, OneStartIsThePolygonalConeOfTheMetric) {
+    using Metric = Options::Metric;
+    struct Case {
+        Metric metric;
+        int neighbours;
+    };
+    for (const Case& c : {Case{Metric::kEuclidean, 8}, Case{Metric::kEuclidean, 16},
+                          Case{Metric::kThesis, 8}}) {
+        const Graph graph = graph_of(41, 33, 10.0,
+                                     {.mean = 2.0,
+                                      .deviation = 0.0,
+                                      .metric = c.metric,
+                                      .neighbours = c.neighbours},
+                                     1);
+        const std::vector<Start> starts{{graph.node(12, 20), 5.0f}};
+        LeastCost paths(graph);
+        paths.spread(starts, RawGrowth{starts});
+        for (int y = 0; y < graph.height; ++y) {
+            for (int x = 0; x < graph.width; ++x) {
+                const double a = std::max(std::abs(x - 12), std::abs(y - 20));
+                const double b = std::min(std::abs(x - 12), std::abs(y - 20));
+                double cells = a;  // kThesis: a square pyramid
+                if (c.metric == Metric::kEuclidean && c.neighbours == 8) {
+                    cells = a - b + std::sqrt(2.0) * b;  // octagon
+                } else if (c.neighbours == 16) {
+                    // Knight's moves, then straight or diagonal ones: 16-gon.
+                    cells = a >= 2.0 * b ? a - 2.0 * b + std::sqrt(5.0) * b
+                                         : std::sqrt(5.0) * (a - b) +
+                                               std::sqrt(2.0) * (2.0 * b - a);
+                }
+                EXPECT_NEAR(paths[graph.node(x, y)].cost, 5.0 + 20.0 * cells, 1e-3);
+            }
+        }
+    }
+}
+
+TEST(LeastCost, StopsWhereItIsTold) {
+    const Graph graph = graph_of(60, 60, 1.0, {.mean = 1.0, .deviation = 0.5}, 3);
+    const std::vector<Start> starts{{graph.node(30, 30), 0.0f}};
+    LeastCost paths(graph);
+    paths.spread(starts, RawGrowth{starts}, [](int, float cost) { return cost < 10.0f; });
+    const std::vector<Label> all = reference(graph, starts, RawGrowth{starts});
+    std::size_t reached = 0;
+    for (int node = 0; node < graph.nodes(); ++node) {
+        if (all[node].cost < 10.0f) {
+            EXPECT_EQ(paths[node].cost, all[node].cost);
+        }
+        if (std::isfinite(paths[node].cost)) ++reached;
+    }
+    EXPECT_EQ(paths.settled().size(), reached);
+    EXPECT_LT(reached, 2000u);
+}
+
+TEST(LeastCost, PathBackAddsUpToItsCost) {
+    const Graph graph = graph_of(80, 80, 10.0, {.mean = 2.0, .deviation = 1.0}, 5);
+    const auto starts = random_starts(graph, 5, 300.0, 2);
+    LeastCost paths(graph);
+    paths.spread(starts, RawGrowth{starts});
+    const std::vector<int> path = path_back(paths, graph.node(3, 71));
+    const Label& end = paths[path.front()];
+    EXPECT_EQ(path.back(), starts[end.origin].node);
+    double cost = starts[end.origin].cost;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const int step = path[i] - path[i + 1];
+        int direction = 0;
+        while (graph.step[direction] != step) ++direction;
+        cost += graph.edge(path[i + 1], direction);
+    }
+    EXPECT_NEAR(cost, end.cost, 1e-2);
+}
+
+TEST(Graph, WeightsAreUniformAndPositive) {
+    // Nodes far finer than the grain: an edge's weight is the noise itself.
+    const Graph graph =
+        graph_of(600, 600, 1.0, {.mean = 2.0, .deviation = 1.9, .grain = 20.0}, 5);
+    std::array<int, 10> counts{};
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 600; ++x) {
+            const double v = (graph.edge(graph.node(x, y), 0) - 2.0) / 1.9;
+            ASSERT_GE(v, -1.0);
+            ASSERT_LE(v, 1.0);
+            ++counts[std::min(9, static_cast<int>(5.0 * (v + 1.0)))];
+        }
+    }
+    for (int count : counts) EXPECT_NEAR(count, 36000, 3600);
+}
+
+TEST(Graph, EdgesAreTheMeanOfTheirParts) {
+    const EdgeOptions options{.mean = 2.0, .deviation = 1.0, .grain = 40.0};
+    const Graph coarse = graph_of(40, 40, 30.0, options, 8);
+    const Graph fine = graph_of(120, 120, 10.0, options, 8);
+    for (int y = 0; y < 39; ++y) {
+        for (int x = 1; x < 39; ++x) {
+            for (int d = 0; d < 4; ++d) {
+                float sum = 0.0f;
+                int node = fine.node(3 * x + 1, 3 * y + 1);
+                for (int i = 0; i < 3; ++i) {
+                    sum += fine.edge(node, d);
+                    node += fine.step[d];
+                }
+                EXPECT_NEAR(coarse.edge(coarse.node(x, y), d), sum, 0.04 * sum);
+            }
+        }
+    }
+}
+
+TEST(Graph, RefusesWeightsThatCouldVanish) {
+    EXPECT_THROW(graph_of(8, 8, 1.0, {.mean = 2.0, .deviation = 2.0}, 1), Error);
+    EXPECT_THROW(graph_of(8, 8, 1.0, {.mean = 0.0, .deviation = 0.0}, 1), Error);
+    EXPECT_THROW(graph_of(8, 8, 1.0, {.mean = 2.0, .deviation = -0.1}, 1), Error);
+    EXPECT_THROW(graph_of(8, 8, 1.0, {.grain = 0.0}, 1), Error);
+    EXPECT_THROW(graph_of(8, 8, 1.0, {.neighbours = 4}, 1), Error);
+    EXPECT_THROW(
+        graph_of(8, 8, 1.0, {.metric = Options::Metric::kThesis, .neighbours = 16}, 1),
+        Error);
+}
+
+}  // namespace
+}  // namespace cydonia::distance
