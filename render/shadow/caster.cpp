@@ -124,6 +124,9 @@ Caster::Scene::Scene(const Field<float>& heights, double spacing)
       height(heights.height()),
       device(rtcNewDevice(nullptr)),
       scene(rtcNewScene(device.get())) {
+    // Without it rays that run along the mesh's own lines slip between two triangles: at
+    // azimuths 90, 135 and 315 up to 4% of the samples.
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     lay_grid(heights, spacing);
     rtcCommitScene(scene.get());
     if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw no_memory(width, height);
@@ -154,7 +157,7 @@ void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
     // planes free of their own shadow.
     const double reach =
         std::max({0.5 * width, 0.5 * height, (*high - middle) / spacing});
-    lift = static_cast<float>(8.0 * reach * std::numeric_limits<float>::epsilon());
+    lift = static_cast<float>(4.0 * reach * std::numeric_limits<float>::epsilon());
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene.get(), geometry.get());
 }
