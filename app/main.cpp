@@ -1,2 +1,88 @@
-#include "config/reader/scene.h"
-int main() { return 1; }
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <new>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "field/progress.h"
+
+using namespace cydonia;
+
+namespace {
+
+void describe(CLI::App& app) {
+    app.name("cydonia");
+    app.description("Cydonia turns a scene file into film frames of a landscape.");
+    app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
+    app.set_help_flag("-h,--help", "print this help");
+    app.footer(
+        "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n"
+        "Every command has a help of its own: cydonia render --help\n");
+    app.require_subcommand(0, 1);
+    format_plainly(app);
+}
+
+void add_commands(CLI::App& app, Action& action) {
+    add_render(app, action);
+    add_synth(app, action);
+    add_check(app, action);
+    add_emit(app, action);
+    add_validate(app, action);
+    add_info(app, action);
+}
+
+int exit_code(ExitCode code) { return static_cast<int>(code); }
+
+// One line that ends with where to look, for a command line that is wrong.
+int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    const std::string command =
+        chosen.empty() ? "cydonia" : "cydonia " + chosen.front()->get_name();
+    std::string message = error.what();
+    if (const auto extra = app.remaining(true); !extra.empty()) {
+        message =
+            fmt::format("'{}' is not something that {} takes", extra.front(), command);
+    }
+    fmt::print(stderr, "cydonia: {} (see {} --help)\n", message, command);
+    return exit_code(ExitCode::kBadRequest);
+}
+
+int run(const Action& action) try {
+    action();
+    return exit_code(ExitCode::kDone);
+} catch (const Error& error) {
+    fmt::print(stderr, "cydonia: {}\n", error.what());
+    return exit_code(error.code());
+} catch (const Interrupted&) {
+    fmt::print(stderr, "cydonia: interrupted; the same command goes on from here\n");
+    return exit_code(ExitCode::kFailed);
+} catch (const std::bad_alloc&) {
+    fmt::print(stderr, "cydonia: out of memory; lower terrain.samples\n");
+    return exit_code(ExitCode::kFailed);
+} catch (const std::exception& error) {
+    fmt::print(stderr, "cydonia: {}\n", error.what());
+    return exit_code(ExitCode::kFailed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    catch_interrupts();
+    CLI::App app;
+    describe(app);
+    Action action = [&app] { fmt::print("{}", app.help()); };
+    add_commands(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return app.exit(asked);  // --help, --version
+    } catch (const CLI::ParseError& error) {
+        return wrong_usage(app, error);
+    }
+
+    const int code = run(action);
+    std::fflush(stdout);
+    if (const int signal = interrupt_signal()) end_by(signal);
+    return code;
+}

@@ -3,7 +3,6 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
-find_package(OpenImageIO REQUIRED)
 find_package(GDAL CONFIG REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -15,6 +14,9 @@ endif()
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0)
 # Debian 12's CMake package of OpenColorIO names a folder that does not exist; its .pc is right.
 pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
+# Its CMake package complains, at length, about parts of Imath that nobody here uses.
+pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
+add_library(OpenImageIO::OpenImageIO ALIAS PkgConfig::OIIO)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
 # Debian's libopencv-core-dev and -imgproc-dev come without the CMake package of the whole of OpenCV.

@@ -1,0 +1,124 @@
+#include "app/describe.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "field/dem.h"
+#include "field/error.h"
+#include "field/files.h"
+#include "field/vec.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Steepest descent to the south and east neighbours, degrees, sorted.
+std::vector<double> sorted_slopes(const Terrain& terrain) {
+    const Field<float>& h = terrain.heights;
+    std::vector<double> slopes;
+    slopes.reserve(h.size());
+    for (int y = 0; y + 1 < h.height(); ++y) {
+        for (int x = 0; x + 1 < h.width(); ++x) {
+            const double dx = h(x + 1, y) - h(x, y), dy = h(x, y + 1) - h(x, y);
+            slopes.push_back(degrees(std::atan(std::hypot(dx, dy) / terrain.spacing)));
+        }
+    }
+    std::ranges::sort(slopes);
+    return slopes;
+}
+
+std::string heights_text(const fs::path& file) {
+    std::string note;
+    const Terrain terrain = read_dem(open_source(file), &note);
+    const auto [low, high] = std::ranges::minmax_element(terrain.heights);
+    std::string text = fmt::format(
+        "{}: heights\n  {} x {} samples, {:g} m apart: {:g} x {:g} m\n  {:.1f} to {:.1f} "
+        "m\n",
+        file.string(), terrain.heights.width(), terrain.heights.height(), terrain.spacing,
+        terrain.width(), terrain.depth(), *low, *high);
+    if (const auto slopes = sorted_slopes(terrain); !slopes.empty()) {
+        const auto at = [&](double share) {
+            return slopes[static_cast<std::size_t>(
+                share * static_cast<double>(slopes.size() - 1))];
+        };
+        text += fmt::format(
+            "  slopes: half under {:.0f}, 90% under {:.0f}, 99% under {:.0f} degrees\n",
+            at(0.5), at(0.9), at(0.99));
+    }
+    return note.empty() ? text : text + "  " + note + "\n";
+}
+
+std::string image_text(const fs::path& file, const OIIO::ImageSpec& spec) {
+    std::string channels;
+    for (const std::string& name : spec.channelnames) channels += " " + name;
+    std::string text =
+        fmt::format("{}: image\n  {} x {} pixels, {} of{}\n", file.string(), spec.width,
+                    spec.height, spec.format.c_str(), channels);
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        text += fmt::format("  {} = {}\n", attribute.name().string(),
+                            attribute.get_string(16));
+    }
+    return text;
+}
+
+std::string manifest_text(const fs::path& file) {
+    const Json json = Json::parse(read_text(file), nullptr, false);
+    if (!json.is_object() || !json.contains("scene") || !json.contains("figures")) {
+        throw bad_request("{}: JSON, but not a manifest of Cydonia", file.string());
+    }
+    std::string text = fmt::format("{}: manifest\n", file.string());
+    for (const char* key : {"title", "scene", "seed", "quality", "versions", "figures"}) {
+        if (json.contains(key)) text += fmt::format("  {}: {}\n", key, json[key].dump());
+    }
+    return text + fmt::format("  outputs: {} files\n",
+                              json.value("outputs", Json::array()).size());
+}
+
+// One channel is heights, as terrain.exr; an image has colours.
+bool holds_heights(const fs::path& file, const OIIO::ImageSpec& spec) {
+    const bool elevation_format = file.extension() == ".exr" ||
+                                  file.extension() == ".tif" ||
+                                  file.extension() == ".tiff";
+    return spec.nchannels == 1 && elevation_format;
+}
+
+}  // namespace
+
+std::string description(const config::SceneSpec& spec) {
+    std::string text = fmt::format(
+        "{}: {}\n  seed {}, {:g} x {:g} m, {} samples along the longer side\n", spec.name,
+        spec.title, spec.seed, spec.terrain.width, spec.terrain.depth,
+        spec.terrain.samples);
+    for (const config::StageSpec& stage : spec.stages) {
+        text += fmt::format("  stage: {}", method_of(stage.options).name);
+        for (const Source& source : stage.sources) text += ", " + source.name();
+        text += "\n";
+    }
+    for (const render::CameraOptions& camera : spec.render.cameras) {
+        text += fmt::format("  camera: {}, {} x {} pixels\n", camera.name, camera.size[0],
+                            camera.size[1]);
+    }
+    return text;
+}
+
+std::string description(const fs::path& file) {
+    open_source(file);  // complains about missing, empty and huge files
+    if (file.extension() == ".toml") {
+        return description(config::Scene::load(file).at(0.0));
+    }
+    if (file.extension() == ".json") return manifest_text(file);
+    if (const auto image = OIIO::ImageInput::open(file.string())) {
+        if (!holds_heights(file, image->spec())) return image_text(file, image->spec());
+    }
+    OIIO::geterror();  // not an image is no error: GDAL reads many more formats
+    return heights_text(file);
+}
+
+}  // namespace cydonia

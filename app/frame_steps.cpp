@@ -1,0 +1,105 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <system_error>
+
+#include "app/cache.h"
+#include "app/job.h"
+#include "app/memory.h"
+#include "app/threads.h"
+#include "field/files.h"
+#include "render/cameras.h"
+#include "render/frames/frame.h"
+#include "render/frames/povray.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+// A frame is traced (costly) from what the emit step wrote, byte for byte, and delivered
+// (cheap) with the scene's colour options: exposure and view change without a new trace.
+
+// Zero for a missing file, which no finished step was made from.
+std::uint64_t hash_of_file(const fs::path& file) {
+    std::error_code none;
+    return fs::exists(file, none) ? open_source(file).hash : 0;
+}
+
+std::chrono::seconds time_limit(render::Quality quality) {
+    switch (quality) {
+        case render::Quality::kDraft:
+            return std::chrono::minutes(30);
+        case render::Quality::kPreview:
+            return std::chrono::hours(4);
+        case render::Quality::kFinal:
+            break;
+    }
+    return std::chrono::hours(48);
+}
+
+std::uint64_t trace_key(const Job& job, const std::string& frame) {
+    std::string text = "trace";
+    for (const auto& files : {pov_assets(), pov_files(frame)}) {
+        for (const std::string& file : files) {
+            text += fmt::format(" {:016x}", hash_of_file(job.folder / file));
+        }
+    }
+    return hash_text(text);
+}
+
+Made trace(Job& job, const std::string& frame) {
+    const int threads = thread_count();
+    render::run_povray(job.folder / "pov", frame, threads,
+                       time_limit(job.request.quality), job.progress);
+    return {{"pov/" + frame + ".exr"}};
+}
+
+std::uint64_t delivery_key(const Job& job, const std::string& frame) {
+    const render::ColourOptions& colour = job.spec.render.colour;
+    const char* ocio = std::getenv("OCIO");
+    return hash_text(fmt::format(
+        "{:016x} {:016x} {:016x} {:016x} {} {} {} {} {}",
+        hash_of_file(job.folder / "pov" / (frame + ".exr")), job.program,
+        colour.config ? colour.config->hash : 0, ocio ? hash_of_file(ocio) : 0,
+        colour.display, colour.view, colour.exposure, job.spec.name, job.spec.seed));
+}
+
+Made deliver(Job& job, const std::string& frame) {
+    make_folder(job.folder / "frames");
+    Metadata metadata = job.metadata();
+    metadata["cydonia:camera"] = frame;
+    metadata["cydonia:quality"] = name_of(job.request.quality);
+    render::deliver_frame(job.folder / "pov" / (frame + ".exr"), job.folder / "frames",
+                          frame, job.spec.render.colour, metadata);
+    return {{"frames/" + frame + ".exr", "frames/" + frame + ".png"}};
+}
+
+std::uint64_t pixels_of(const render::CameraOptions& camera, render::Quality quality) {
+    const Terrain nowhere{Field<float>(2, 2), 1.0, {}, {}};
+    const Camera placed = render::place(camera, nowhere, quality);
+    return static_cast<std::uint64_t>(placed.width) *
+           static_cast<std::uint64_t>(placed.height);
+}
+
+}  // namespace
+
+std::string_view name_of(render::Quality quality) {
+    constexpr std::string_view kNames[] = {"draft", "preview", "final"};
+    return kNames[static_cast<int>(quality)];
+}
+
+std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera) {
+    const std::string frame = camera.name;
+    const std::uint64_t pixels = pixels_of(camera, job.request.quality);
+    return {{"trace " + frame, Goal::kFrames, memory::of_trace(job.cells(), pixels),
+             [&job, frame] { return trace_key(job, frame); },
+             [&job, frame] { return trace(job, frame); }},
+            {"deliver " + frame, Goal::kFrames, memory::of_delivery(pixels),
+             [&job, frame] { return delivery_key(job, frame); },
+             [&job, frame] { return deliver(job, frame); }}};
+}
+
+}  // namespace cydonia

@@ -1,0 +1,39 @@
+#include "app/interrupt.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace cydonia {
+namespace {
+
+volatile std::sig_atomic_t g_signal = 0;
+
+void remember(int signal) { g_signal = signal; }
+
+}  // namespace
+
+void catch_interrupts() {
+    for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        struct sigaction action = {};
+        action.sa_handler = remember;
+        // After the first Ctrl-C the next one has its usual effect. A broken pipe comes
+        // once for every line we try to write, so that one stays caught.
+        action.sa_flags = SA_RESTART;
+        if (signal != SIGPIPE) action.sa_flags |= static_cast<int>(SA_RESETHAND);
+        // A signal that our caller chose to ignore (nohup) stays ignored.
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
+}
+
+int interrupt_signal() { return g_signal; }
+
+void end_by(int signal) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    std::_Exit(128 + signal);
+}
+
+}  // namespace cydonia

@@ -1,0 +1,49 @@
+#include "app/job.h"
+
+#include <fmt/core.h>
+
+#include "render/cameras.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+fs::path output_of(const Request& request, const config::SceneSpec& spec) {
+    return request.output.empty() ? fs::path("out") / spec.name : request.output;
+}
+
+}  // namespace
+
+Job::Job(const Request& asked, Progress& sink)
+    : request(asked),
+      scene_file(open_source(asked.scene)),
+      spec(config::Scene::load(asked.scene, asked.overrides).at(0.0)),
+      folder(output_of(asked, spec)),
+      land(spec, folder / ".cache", sink),
+      ledger(folder),
+      progress(sink),
+      program(open_source("/proc/self/exe").hash) {}
+
+std::vector<render::CameraOptions> Job::cameras() const {
+    return spec.render.cameras.empty() ? render::default_cameras() : spec.render.cameras;
+}
+
+Metadata Job::metadata() const {
+    return {{"cydonia:scene", spec.name},
+            {"cydonia:seed", fmt::format("{}", spec.seed)},
+            {"cydonia:version", kVersion}};
+}
+
+std::vector<Step> steps_of(Job& job) {
+    std::vector<Step> steps = stage_steps(job);
+    steps.push_back(export_step(job));
+    steps.push_back(check_step(job));
+    steps.push_back(emit_step(job));
+    for (const render::CameraOptions& camera : job.cameras()) {
+        for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+}  // namespace cydonia

@@ -1,0 +1,79 @@
+#include "app/land.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cache.h"
+#include "field/quantise.h"
+#include "field/random.h"
+#include "render/shadow/caster.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+constexpr std::uint64_t kCacheBytes = std::uint64_t{1} << 30;
+
+int samples_across(double metres, double spacing) {
+    return std::max(2, static_cast<int>(std::lround(metres / spacing)));
+}
+
+// The shadows that stages see are those of the mesh that will be rendered.
+Field<std::uint8_t> cast(const Terrain& terrain, const Sun& sun, int rays) {
+    const Field<float> heights = heights_of(quantised(terrain.heights));
+    return render::Caster(heights, terrain.spacing).shadow(sun, rays);
+}
+
+std::uint64_t seed_of_stage(const config::SceneSpec& spec, int stage) {
+    return hash_of({spec.seed, static_cast<std::uint64_t>(stage), key("stage")});
+}
+
+std::uint64_t key_of_stage(const config::StageSpec& stage, std::uint64_t before) {
+    const Method method = method_of(stage.options);
+    std::string text = fmt::format("{} {}\n{:016x}\n{}\n", method.name, method.version,
+                                   before, stage.text);
+    for (const Source& source : stage.sources)
+        text += fmt::format("{:016x}\n", source.hash);
+    return hash_text(text);
+}
+
+}  // namespace
+
+Land::Land(const config::SceneSpec& spec, fs::path cache, Progress& progress)
+    : spec_(spec), cache_(std::move(cache)), progress_(progress) {
+    const config::TerrainSpec& t = spec.terrain;
+    spacing_ = std::max(t.width, t.depth) / t.samples;
+    width_ = samples_across(t.width, spacing_);
+    height_ = samples_across(t.depth, spacing_);
+    keys_ = {hash_text(
+        fmt::format("flat {} {} {} seed {}", width_, height_, spacing_, spec.seed))};
+    for (const config::StageSpec& stage : spec.stages) {
+        keys_.push_back(key_of_stage(stage, keys_.back()));
+    }
+}
+
+const Terrain& Land::after(int stage) {
+    if (!terrain_ || stage_ != stage) {
+        terrain_ = made(stage);
+        stage_ = stage;
+    }
+    return *terrain_;
+}
+
+Terrain Land::made(int stage) {
+    if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}};
+    if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
+    const config::StageSpec& spec = spec_.stages[static_cast<std::size_t>(stage - 1)];
+    Terrain terrain = run(spec.options, after(stage - 1),
+                          {seed_of_stage(spec_, stage - 1), cast, &progress_});
+    store_terrain(cached(stage), terrain);
+    prune_terrains(cache_, kCacheBytes);
+    return terrain;
+}
+
+fs::path Land::cached(int stage) const { return cached_terrain(cache_, key(stage)); }
+
+}  // namespace cydonia

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "config/reader/scene.h"
+#include "field/progress.h"
+#include "field/terrain.h"
+
+namespace cydonia {
+
+// A scene's terrain, made stage by stage when it is asked for; what a stage made before
+// comes from the cache.
+class Land {
+  public:
+    Land(const config::SceneSpec& spec, std::filesystem::path cache, Progress& progress);
+
+    int stages() const { return static_cast<int>(spec_.stages.size()); }
+    int width() const { return width_; }  // samples, west to east
+    int height() const { return height_; }
+
+    // A hash of everything that the land after `stage` stages is made from.
+    std::uint64_t key(int stage) const { return keys_[static_cast<std::size_t>(stage)]; }
+    std::uint64_t key() const { return keys_.back(); }
+
+    // The land after `stage` stages (0: flat). The reference holds until the next call.
+    const Terrain& after(int stage);
+    const Terrain& finished() { return after(stages()); }
+
+  private:
+    Terrain made(int stage);
+    std::filesystem::path cached(int stage) const;
+
+    const config::SceneSpec& spec_;
+    std::filesystem::path cache_;
+    Progress& progress_;
+    int width_, height_;
+    double spacing_;
+    std::vector<std::uint64_t> keys_;
+    std::optional<Terrain> terrain_;  // after stage_ stages
+    int stage_ = 0;
+};
+
+}  // namespace cydonia

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace cydonia {
+
+using Json = nlohmann::ordered_json;
+
+// What a finished step left behind.
+struct Entry {
+    std::uint64_t key = 0;             // a hash of everything that went into the step
+    std::vector<std::string> outputs;  // relative to the output folder
+    std::vector<std::uint64_t> sizes;  // of the outputs, bytes
+    Json result = Json::object();      // what the step learned
+    double seconds = 0.0;
+    std::uint64_t peak_memory = 0;  // bytes
+};
+
+// Which steps are finished in an output folder, kept in its .cache so that an interrupted
+// or repeated run does nothing twice.
+class Ledger {
+  public:
+    // A missing or damaged ledger is an empty one.
+    explicit Ledger(const std::filesystem::path& output_folder);
+
+    // The step's entry if it was made from the same inputs and all its files are still
+    // there.
+    const Entry* finished(const std::string& step, std::uint64_t key) const;
+
+    // Sets down a finished step; files that its last run made and this one did not are
+    // removed.
+    const Entry& record(const std::string& step, Entry entry);
+
+  private:
+    std::filesystem::path folder_;
+    std::map<std::string, Entry> entries_;
+};
+
+std::string hex(std::uint64_t key);
+
+}  // namespace cydonia

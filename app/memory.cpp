@@ -1,0 +1,102 @@
+#include "app/memory.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "field/error.h"
+
+namespace cydonia {
+namespace {
+
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMega = 1'000'000;
+constexpr std::uint64_t kProgram = 90 * kMega;  // code, libraries, thread pools
+
+// The first number of a file such as the kernel's accounts; unlimited when there is none
+// ("max").
+std::uint64_t number_in(const char* file) {
+    std::uint64_t value = 0;
+    return std::ifstream(file) >> value ? value : kUnlimited;
+}
+
+std::uint64_t machine_available() {
+    std::ifstream meminfo("/proc/meminfo");
+    std::string name;
+    std::uint64_t kibibytes = 0;
+    for (std::string line; std::getline(meminfo, line);) {
+        std::istringstream fields(line);
+        if (fields >> name >> kibibytes && name == "MemAvailable:")
+            return kibibytes * 1024;
+    }
+    return kUnlimited;
+}
+
+// As a container sees its own group, versions 2 and 1.
+std::uint64_t group_available() {
+    const auto left = [](std::uint64_t limit, std::uint64_t used) {
+        if (limit == kUnlimited || used == kUnlimited) return kUnlimited;
+        return limit - std::min(limit, used);
+    };
+    return std::min(left(number_in("/sys/fs/cgroup/memory.max"),
+                         number_in("/sys/fs/cgroup/memory.current")),
+                    left(number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"),
+                         number_in("/sys/fs/cgroup/memory/memory.usage_in_bytes")));
+}
+
+std::uint64_t address_space_limit() {
+    rlimit limit = {};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+        return kUnlimited;
+    }
+    return limit.rlim_cur;
+}
+
+}  // namespace
+
+namespace memory {
+
+std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells) {
+    struct BytesPerCell {
+        std::uint64_t operator()(const distance::Options&) const { return 160; }
+        std::uint64_t operator()(const pareidolia::Options&) const { return 200; }
+    };
+    return kProgram + cells * std::visit(BytesPerCell{}, options);
+}
+
+std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }
+std::uint64_t of_check(std::uint64_t cells) { return kProgram + 100 * cells; }
+std::uint64_t of_emit(std::uint64_t cells) { return kProgram + 80 * cells; }
+
+std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels) {
+    return kProgram + 150 * cells + 40 * pixels;
+}
+
+std::uint64_t of_delivery(std::uint64_t pixels) { return kProgram + 80 * pixels; }
+
+std::uint64_t available() {
+    return std::min({machine_available(), group_available(), address_space_limit()});
+}
+
+void refuse_unless_it_fits(std::uint64_t needed, std::uint64_t available) {
+    if (needed <= available) return;
+    throw failure(
+        "this needs about {} of memory and {} are available; lower terrain.samples or "
+        "the "
+        "cameras' size",
+        bytes_text(needed), bytes_text(available));
+}
+
+}  // namespace memory
+
+std::string bytes_text(std::uint64_t bytes) {
+    const double mega = static_cast<double>(bytes) / 1e6;
+    return mega < 1000.0 ? fmt::format("{:.0f} MB", mega)
+                         : fmt::format("{:.1f} GB", mega / 1000.0);
+}
+
+}  // namespace cydonia

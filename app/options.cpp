@@ -1,0 +1,64 @@
+#include <map>
+
+#include "app/commands.h"
+
+namespace cydonia {
+namespace {
+
+// The name and what it takes, no more: ranges and choices are said in the description.
+class Formatter final : public CLI::Formatter {
+  public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+    }
+};
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, const std::string& name,
+                      const std::string& description, const std::string& example) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->footer("Example:\n  cydonia " + example + "\n");
+    return command;
+}
+
+void format_plainly(CLI::App& app) {
+    app.formatter(std::make_shared<Formatter>());
+    app.get_formatter()->column_width(26);
+}
+
+CLI::Option* add_scene(CLI::App& command, Request& request) {
+    command.add_flag("--quiet", request.quiet, "print errors only");
+    command
+        .add_option("--set", request.overrides, "set any key of the scene; repeatable")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    return command.add_option("SCENE", request.scene, "the scene file")->type_name("");
+}
+
+void add_making_options(CLI::App& command, Request& request) {
+    using render::Quality;
+    static const std::map<std::string, Quality> kQualities = {
+        {"draft", Quality::kDraft},
+        {"preview", Quality::kPreview},
+        {"final", Quality::kFinal}};
+    const auto take = [&request](const std::string& name) {
+        request.quality = kQualities.at(name);
+    };
+
+    command.add_option("-o", request.output, "output folder [out/<scene>]")
+        ->type_name("DIR");
+    command
+        .add_option_function<std::string>("--quality", take,
+                                          "draft, preview or final [preview]")
+        ->check(CLI::IsMember(kQualities).description(""))
+        ->type_name("NAME");
+    command.add_option("--threads", request.threads, "use at most N threads [all]")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->type_name("N");
+    command.add_flag("--force", request.force, "go on when the shadow check falls short");
+    command.add_flag("--dry-run", request.dry_run,
+                     "print the plan, what is done and predicted memory only");
+}
+
+}  // namespace cydonia

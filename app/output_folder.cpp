@@ -1,0 +1,32 @@
+#include "app/output_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "field/error.h"
+#include "field/files.h"
+
+namespace cydonia {
+
+OutputFolder::OutputFolder(const std::filesystem::path& path) {
+    make_folder(path / ".cache");
+    // Writing a few bytes tells a full or read-only file system before hours of work do.
+    write_text(path / ".cache" / "README",
+               "Finished steps of Cydonia; may be deleted.\n");
+
+    const std::string lock = (path / ".cache" / "lock").string();
+    lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (lock_ < 0) throw failure("{}: {}", lock, std::strerror(errno));
+    if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+        close(lock_);
+        throw failure("{}: another cydonia is at work in this folder", path.string());
+    }
+}
+
+OutputFolder::~OutputFolder() { close(lock_); }
+
+}  // namespace cydonia

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+namespace cydonia {
+
+// A scene's output folder, made and claimed for this process: throws failure() when it is
+// a file, cannot be written, is full, or another run is at work in it.
+class OutputFolder {
+  public:
+    explicit OutputFolder(const std::filesystem::path& path);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+  private:
+    int lock_ = -1;  // file descriptor
+};
+
+}  // namespace cydonia

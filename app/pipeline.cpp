@@ -1,0 +1,139 @@
+#include "app/pipeline.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/job.h"
+#include "app/manifest.h"
+#include "app/memory.h"
+#include "app/output_folder.h"
+#include "app/threads.h"
+#include "field/files.h"
+#include "render/frames/povray.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+// The most memory this process or a program it ran has held so far.
+std::uint64_t peak_memory() {
+    rusage own = {}, children = {};
+    getrusage(RUSAGE_SELF, &own);
+    getrusage(RUSAGE_CHILDREN, &children);
+    return static_cast<std::uint64_t>(std::max(own.ru_maxrss, children.ru_maxrss)) * 1024;
+}
+
+const Entry& carry_out(const Step& step, std::uint64_t key, Job& job) {
+    using Clock = std::chrono::steady_clock;
+    job.progress.step(step.name);
+    const Clock::time_point begin = Clock::now();
+    job.progress.report(0.0);
+    Made made = step.run();
+    const std::chrono::duration<double> seconds = Clock::now() - begin;
+    return job.ledger.record(step.name, {key,
+                                         std::move(made.outputs),
+                                         {},
+                                         std::move(made.result),
+                                         seconds.count(),
+                                         peak_memory()});
+}
+
+struct PlannedStep {
+    const Step* step;
+    bool finished;
+};
+
+// What is left to do for a goal, as far as it can be told before anything is done: a step
+// after one that will run is taken to run as well.
+std::vector<PlannedStep> plan_of(const std::vector<Step>& steps, Goal goal,
+                                 const Ledger& ledger) {
+    std::vector<PlannedStep> plan;
+    bool all_before_finished = true;
+    for (const Step& step : steps) {
+        if (step.goal > goal) continue;
+        const bool finished =
+            all_before_finished && ledger.finished(step.name, step.key());
+        plan.push_back({&step, finished});
+        all_before_finished = finished;
+    }
+    return plan;
+}
+
+std::uint64_t predicted_peak(const std::vector<PlannedStep>& plan) {
+    std::uint64_t most = 0;
+    for (const PlannedStep& p : plan) {
+        if (!p.finished) most = std::max(most, p.step->memory);
+    }
+    return most;
+}
+
+void print_plan(const std::vector<PlannedStep>& plan, const Job& job) {
+    fmt::print("{}: {}x{} samples, to {}\n", job.request.scene.string(), job.land.width(),
+               job.land.height(), job.folder.string());
+    for (const PlannedStep& p : plan) {
+        fmt::print("  {:<24} {:<6} {:>8}\n", p.step->name, p.finished ? "done" : "to do",
+                   p.finished ? "" : bytes_text(p.step->memory));
+    }
+    fmt::print("peak memory {}, available {}\n", bytes_text(predicted_peak(plan)),
+               bytes_text(memory::available()));
+}
+
+void carry_out(const std::vector<Step>& steps, Goal goal, Job& job) {
+    int done = 0;
+    for (const Step& step : steps) {
+        if (step.goal > goal) continue;
+        const std::uint64_t key = step.key();
+        const Entry* entry = job.ledger.finished(step.name, key);
+        if (!entry) {
+            entry = &carry_out(step, key, job);
+            ++done;
+        }
+        if (step.gate) step.gate(entry->result);
+    }
+    if (done == 0) job.progress.note("nothing to do: everything is up to date");
+}
+
+void write_manifest(const std::vector<Step>& steps, const Job& job) {
+    const std::string text = manifest_of(steps, job).dump(2) + "\n";
+    const fs::path file = job.folder / "manifest.json";
+    if (std::error_code none; fs::exists(file, none) && read_text(file) == text) return;
+    write_text(file, text);
+}
+
+bool will_trace(const std::vector<PlannedStep>& plan) {
+    return std::ranges::any_of(plan, [](const PlannedStep& p) {
+        return !p.finished && p.step->goal == Goal::kFrames;
+    });
+}
+
+}  // namespace
+
+void make(const Request& request, Goal goal, Progress& progress) {
+    const ThreadLimit threads(request.threads);
+    Job job(request, progress);
+    const std::vector<Step> steps = steps_of(job);
+    const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
+    if (request.dry_run) return print_plan(plan, job);
+
+    // Whatever can be refused is refused before any work begins.
+    memory::refuse_unless_it_fits(predicted_peak(plan), memory::available());
+    if (will_trace(plan)) render::povray_program();
+    const OutputFolder claim(job.folder);
+
+    try {
+        carry_out(steps, goal, job);
+    } catch (const Error& error) {
+        // What was measured is most wanted when it fell short.
+        if (error.code() == ExitCode::kCheckFellShort) write_manifest(steps, job);
+        throw;
+    }
+    write_manifest(steps, job);
+    progress.note(fmt::format("in {}", job.folder.string()));
+}
+
+}  // namespace cydonia

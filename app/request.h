@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/options.h"
+
+namespace cydonia {
+
+// What the command line asks for.
+struct Request {
+    std::filesystem::path scene;
+    std::filesystem::path output;        // empty: out/<scene's name>
+    std::vector<std::string> overrides;  // "terrain.samples=1024"
+    render::Quality quality = render::Quality::kPreview;
+    int threads = 0;  // 0: all the machine has
+    bool quiet = false;
+    bool force = false;    // goes on after a check that fell short
+    bool dry_run = false;  // prints the plan only
+};
+
+// How far to go; each goal includes those before it.
+enum class Goal { kTerrain, kCheck, kEmit, kFrames };
+
+std::string_view name_of(render::Quality quality);
+
+}  // namespace cydonia
