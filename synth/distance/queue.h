@@ -5,140 +5,105 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace cydonia::distance {
 
 // A monotone priority queue of (cost, node), least first, equal costs by node: exact for
 // any edge weights. Costs lie in a ring of narrow buckets; only the bucket in use is kept
-// as a heap, a few entries long. What lies beyond the ring waits apart.
+// in order, a few entries long. What lies beyond the ring waits apart.
 class BucketQueue {
   public:
     // A good width leaves a few entries to a bucket; any width gives the same order.
-    explicit BucketQueue(float bucket_width) : per_cost_(1.0f / bucket_width) {
-        heads_.fill(kNone);
-    }
+    explicit BucketQueue(float bucket_width)
+        : per_cost_(1.0f / bucket_width), buckets_(kBuckets) {}
 
     // cost >= 0 and not below the last one popped.
-    void push(float cost, int node) { place({cost, node, kNone}); }
-
-    struct Entry {
-        float cost;
-        int node;
-        int next;
-    };
+    void push(float cost, int node) {
+        const float place = (cost - base_) * per_cost_;
+        if (!(place < static_cast<float>(kBuckets))) {
+            beyond_.push_back(key(cost, node));
+            return;
+        }
+        const int bucket = static_cast<int>(place);
+        if (bucket > current_) {
+            buckets_[bucket].push_back(key(cost, node));
+            occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
+        } else {
+            late_.push_back(key(cost, node));
+            std::push_heap(late_.begin(), late_.end(), std::greater<>());
+        }
+    }
 
     // False when empty.
     bool pop(float& cost, int& node) {
-        if (heap_.empty() && !refill()) return false;
-        std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-        const std::uint64_t least = heap_.back();
-        heap_.pop_back();
-        cost = std::bit_cast<float>(static_cast<std::uint32_t>(least >> 32));
+        if (sorted_.empty() && late_.empty() && !refill()) return false;
+        std::uint64_t least = 0;
+        if (late_.empty() || (!sorted_.empty() && sorted_.back() < late_.front())) {
+            least = sorted_.back();
+            sorted_.pop_back();
+        } else {
+            std::pop_heap(late_.begin(), late_.end(), std::greater<>());
+            least = late_.back();
+            late_.pop_back();
+        }
+        cost = cost_of(least);
         node = static_cast<int>(least & 0xffffffffu);
         return true;
     }
 
   private:
-    static constexpr int kNone = -1;
     static constexpr int kBuckets = 4096;
-    static constexpr int kWords = kBuckets / 64;
 
     // Costs are not negative, so their bits order as they do.
     static std::uint64_t key(float cost, int node) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32 |
                static_cast<std::uint32_t>(node);
     }
-
-    void place(Entry entry) {
-        const float place = (entry.cost - base_) * per_cost_;
-        if (!(place < static_cast<float>(kBuckets))) {
-            beyond_.push_back(entry);
-            return;
-        }
-        const int bucket = static_cast<int>(place);
-        if (bucket <= current_) {
-            heap_.push_back(key(entry.cost, entry.node));
-            std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
-            return;
-        }
-        entry.next = heads_[bucket];
-        heads_[bucket] = taken(entry);
-        occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
+    static float cost_of(std::uint64_t key) {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
     }
 
-    // A free place in the pool, filled.
-    int taken(const Entry& entry) {
-        if (free_ == kNone) {
-            pool_.push_back(entry);
-            return static_cast<int>(pool_.size()) - 1;
-        }
-        const int slot = free_;
-        free_ = pool_[slot].next;
-        pool_[slot] = entry;
-        return slot;
-    }
-
+    // Puts the next bucket in order. An empty queue is ready for another pass.
     bool refill() {
         int bucket = next_occupied();
-        if (bucket == kNone) {
-            if (beyond_.empty()) {
-                restart();
-                return false;
-            }
-            advance();
-            if (!heap_.empty()) return true;
+        if (bucket < 0) {
+            current_ = -1;
+            base_ = 0.0f;
+            if (beyond_.empty()) return false;
+            lay_ring_from_beyond();
             bucket = next_occupied();
         }
         current_ = bucket;
         occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
-        for (int slot = heads_[bucket]; slot != kNone;) {
-            Entry& entry = pool_[slot];
-            heap_.push_back(key(entry.cost, entry.node));
-            const int next = entry.next;
-            entry.next = free_;
-            free_ = slot;
-            slot = next;
-        }
-        heads_[bucket] = kNone;
-        std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+        sorted_.swap(buckets_[bucket]);
+        std::sort(sorted_.begin(), sorted_.end(), std::greater<>());
         return true;
     }
 
     int next_occupied() const {
-        for (int word = std::max(current_, 0) / 64; word < kWords; ++word) {
+        for (int word = std::max(current_, 0) / 64; word < kBuckets / 64; ++word) {
             if (occupied_[word]) return word * 64 + std::countr_zero(occupied_[word]);
         }
-        return kNone;
+        return -1;
     }
 
-    // Lays the ring from the least cost that waits beyond it.
-    void advance() {
-        base_ = std::min_element(
-                    beyond_.begin(), beyond_.end(),
-                    [](const Entry& a, const Entry& b) { return a.cost < b.cost; })
-                    ->cost;
-        current_ = kNone;
-        std::vector<Entry> waiting;
+    void lay_ring_from_beyond() {
+        base_ = cost_of(*std::min_element(beyond_.begin(), beyond_.end()));
+        std::vector<std::uint64_t> waiting;
         waiting.swap(beyond_);
-        for (const Entry& entry : waiting) place(entry);
-    }
-
-    void restart() {
-        base_ = 0.0f;
-        current_ = kNone;
+        for (std::uint64_t k : waiting)
+            push(cost_of(k), static_cast<int>(k & 0xffffffffu));
     }
 
     float per_cost_;
-    float base_ = 0.0f;    // cost where bucket 0 begins
-    int current_ = kNone;  // the bucket whose entries are in the heap
-    int free_ = kNone;
-    std::array<int, kBuckets> heads_;
-    std::array<std::uint64_t, kWords> occupied_{};
-    std::vector<Entry> pool_;  // lists of the buckets, linked by index
-    std::vector<Entry> beyond_;
-    std::vector<std::uint64_t> heap_;
+    float base_ = 0.0f;  // cost where bucket 0 begins
+    int current_ = -1;   // the bucket in order
+    std::vector<std::vector<std::uint64_t>> buckets_;
+    std::array<std::uint64_t, kBuckets / 64> occupied_{};
+    std::vector<std::uint64_t> sorted_;  // the bucket in use, least last
+    std::vector<std::uint64_t> late_;    // a heap of what came into it since
+    std::vector<std::uint64_t> beyond_;
 };
 
 }  // namespace cydonia::distance
