@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/reader/scene.h"
+#include "config/reader/table.h"
+#include "field/noise.h"
+#include "field/sun.h"
+
+namespace cydonia::config {
+
+// One function a struct, in the file of its group: each is the list of the struct's
+// fields. A new method is one such file and one line in terrain.cpp.
+
+void read(Table& t, Sun& sun);                // common.cpp
+void read(Table& t, NoiseOptions& noise);     // common.cpp
+void read(Table& t, distance::Options& o);    // distance.cpp
+void read(Table& t, pareidolia::Options& o);  // pareidolia.cpp
+
+struct TerrainTable {
+    TerrainSpec& terrain;
+    std::vector<StageSpec>& stages;
+};
+void read(Table& t, TerrainTable& out);  // terrain.cpp
+
+struct RenderTable {
+    render::Options& options;
+    std::string& text;
+};
+void read(Table& t, RenderTable& out);  // render.cpp
+
+// A sun that casts shadows: above the horizon and not overhead.
+struct SunElevation {
+    static constexpr bool kVaries = true;
+    double read(const Value& value, Files& files) const;
+    std::string text(double radians) const { return Degrees{}.text(radians); }
+};
+// One turn either way, so that a sun may pass through north: 350 to 370.
+constexpr Degrees kAzimuth{from(-360.0, 720.0)};
+
+// 0 <= r < mu_w: an edge that costs nothing or less would let Dijkstra run in circles.
+void check_edge_weights(Table& t, double mean, double deviation);  // common.cpp
+
+}  // namespace cydonia::config

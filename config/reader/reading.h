@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "config/reader/mistakes.h"
+#include "config/reader/units.h"
+#include "config/reader/value.h"
+
+namespace cydonia::config {
+
+// What one reading of a document at one frame collects.
+struct Reading {
+    Files& files;
+    double frame = 0.0;
+    std::vector<Mistake> mistakes = {};
+    std::set<double> key_frames = {};  // every frame that some value has a key at
+};
+
+// Canonical text and files of a part of the document: what a cache key is made of.
+struct Record {
+    std::vector<std::string> lines;
+    std::vector<Source> sources;
+    std::string text() const;  // sorted: the order of keys does not matter
+    void append(const std::string& prefix, const Record& part);
+};
+
+// A value as { keys = [[frame, value], ...] }: linear between, constant outside.
+struct TrackKey {
+    double frame;
+    const Value* value;
+};
+// In order of frames, at least one; empty after a mistake, which is recorded.
+std::vector<TrackKey> track_keys(Reading& reading, const Value& track,
+                                 const std::string& path);
+// `frame` stands between key `index` and the next, at `weight` (0 to 1) of the way.
+struct TrackPoint {
+    std::size_t index;
+    double weight;
+};
+TrackPoint track_point(const std::vector<TrackKey>& keys, double frame);
+
+// The elements of an array of `least` to `most`; null after a mistake.
+const Value::Array* elements(Reading& reading, const Value& value,
+                             const std::string& path, std::size_t least,
+                             std::size_t most);
+
+inline double mixed(double a, double b, double t) {
+    return t == 0.0 ? a : a + t * (b - a);
+}
+inline Length mixed(const Length& a, const Length& b, double t) {
+    return {mixed(a.metres, b.metres, t), mixed(a.fraction, b.fraction, t)};
+}
+
+inline std::string element(const std::string& path, std::size_t i) {
+    return path + '[' + std::to_string(i) + ']';
+}
+
+// read_value: `out` from `value`, or false and the mistakes recorded. A single value, one
+// over time, or an array of them.
+template <class T, class Unit>
+bool read_constant(Reading& reading, const Value& value, const std::string& path, T& out,
+                   const Unit& unit) {
+    try {
+        out = static_cast<T>(unit.read(value, reading.files));
+        return true;
+    } catch (const Wrong& wrong) {
+        reading.mistakes.push_back({value.at, path, wrong.message});
+        return false;
+    }
+}
+
+template <class T, class Unit>
+bool read_track(Reading& reading, const Value& track, const std::string& path, T& out,
+                const Unit& unit) {
+    const auto keys = track_keys(reading, track, path);
+    std::vector<T> values(keys.size());
+    bool good = !keys.empty();
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        good &= read_constant(reading, *keys[i].value, element(path + ".keys", i),
+                              values[i], unit);
+    if (!good) return false;
+    const auto [i, weight] = track_point(keys, reading.frame);
+    out = weight > 0.0 ? mixed(values[i], values[i + 1], weight) : values[i];
+    return true;
+}
+
+template <class T, class Unit>
+bool read_value(Reading& reading, const Value& value, const std::string& path, T& out,
+                const Unit& unit) {
+    if constexpr (Unit::kVaries)
+        if (value.find("keys")) return read_track(reading, value, path, out, unit);
+    return read_constant(reading, value, path, out, unit);
+}
+
+template <class T, std::size_t N, class Unit>
+bool read_value(Reading& reading, const Value& value, const std::string& path,
+                std::array<T, N>& out, const Unit& unit) {
+    const auto* array = elements(reading, value, path, N, N);
+    bool good = array != nullptr;
+    for (std::size_t i = 0; array && i < N; ++i)
+        good &= read_value(reading, (*array)[i], element(path, i), out[i], unit);
+    return good;
+}
+
+template <class T, class Unit>
+bool read_value(Reading& reading, const Value& value, const std::string& path,
+                std::vector<T>& out, const Unit& unit) {
+    constexpr std::size_t kMost = 4096;
+    const auto* array = elements(reading, value, path, 0, kMost);
+    bool good = array != nullptr;
+    out.assign(array ? array->size() : 0, T{});
+    for (std::size_t i = 0; i < out.size(); ++i)
+        good &= read_value(reading, (*array)[i], element(path, i), out[i], unit);
+    return good;
+}
+
+// note: a value's line of canonical text, and the file behind it.
+template <class T, class Unit>
+void note(Record& record, const std::string& path, const T& value, const Unit& unit) {
+    record.lines.push_back(path + " = " + unit.text(value));
+    if constexpr (std::is_same_v<T, Source>) record.sources.push_back(value);
+}
+
+template <class T, std::size_t N, class Unit>
+void note(Record& record, const std::string& path, const std::array<T, N>& values,
+          const Unit& unit) {
+    for (std::size_t i = 0; i < N; ++i) note(record, element(path, i), values[i], unit);
+}
+
+template <class T, class Unit>
+void note(Record& record, const std::string& path, const std::vector<T>& values,
+          const Unit& unit) {
+    if (values.empty()) record.lines.push_back(path + " = none");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        note(record, element(path, i), values[i], unit);
+}
+
+template <class T, class Unit>
+void note(Record& record, const std::string& path, const std::optional<T>& value,
+          const Unit& unit) {
+    if (value)
+        note(record, path, *value, unit);
+    else
+        record.lines.push_back(path + " = none");
+}
+
+}  // namespace cydonia::config

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/reader/reading.h"
+
+namespace cydonia::config {
+
+// A table of a scene file while it is read into a struct. Every call names a key, notes
+// it as known, replaces the default by the file's value and writes canonical text; what
+// is wrong is recorded and reading goes on. A struct is read by one function,
+// `void read(Table&, Struct&)`, that lists its fields.
+class Table {
+  public:
+    // `value` null: the table is absent and everything keeps its default.
+    Table(Reading& reading, const Value* value, Position at, std::string path = {});
+
+    // A value, or an std::array or std::vector of them.
+    template <class T, class Unit>
+    void field(std::string_view key, T& out, const Unit& unit);
+    // `none` is a word that stands for no value: "auto".
+    template <class T, class Unit>
+    void field(std::string_view key, std::optional<T>& out, const Unit& unit,
+               std::string_view none = {});
+    // A key that must be there; whether it is, and could be read.
+    template <class T, class Unit>
+    bool required(std::string_view key, T& out, const Unit& unit);
+
+    // A table within, read by read(Table&, T&); an optional one only when it is there.
+    template <class T>
+    void table(std::string_view key, T& out);
+    template <class T>
+    void table(std::string_view key, std::optional<T>& out);
+    // [[key]]: at most `most` of them.
+    template <class T>
+    void tables(std::string_view key, std::vector<T>& out, std::size_t most);
+
+    // What must hold between values; said at the first of `keys` that the file has. Not
+    // looked at when one of them could not be read.
+    void check(bool holds, std::initializer_list<std::string_view> keys,
+               const std::string& message);
+
+    // Keys that have no effect unless `use` are mistakes: "only for kind = ...".
+    void only_if(bool use, std::initializer_list<std::string_view> keys,
+                 std::string_view condition);
+    // In [[tables_key]], no two may have the same text under `key`.
+    void unique(std::string_view tables_key, std::string_view key);
+
+    bool has(std::string_view key) const { return value_ && value_->find(key); }
+    // Canonical text and files of what was read so far, with paths from this table.
+    const Record& record() const { return record_; }
+    // Records the keys that no call has named.
+    void report_unknown() const;
+    void ignore_unknown() { ignore_unknown_ = true; }
+
+  private:
+    const Value* find(std::string_view key);  // and note it as known
+    Position position_of(std::string_view key) const;
+    std::string path_of(std::string_view key) const;
+    void mistake(std::string_view key, std::string message);
+    void missing(std::string_view key, const std::vector<std::string>& names);
+    bool is_table(std::string_view key, const Value& value);
+    const Value::Array* array_of_tables(std::string_view key, std::size_t most);
+    template <class T>
+    void read_child(const Value* value, Position at, const std::string& name, T& out);
+
+    Reading& reading_;
+    Record record_;
+    const Value* value_;
+    Position at_;
+    std::string path_;  // "terrain.stage[0]"
+    bool ignore_unknown_ = false;
+    std::vector<std::string> known_;
+    std::set<std::string, std::less<>> failed_;
+};
+
+template <class T, class Unit>
+void Table::field(std::string_view key, T& out, const Unit& unit) {
+    if (const Value* value = find(key))
+        if (!read_value(reading_, *value, path_of(key), out, unit)) failed_.emplace(key);
+    note(record_, std::string(key), out, unit);
+}
+
+template <class T, class Unit>
+void Table::field(std::string_view key, std::optional<T>& out, const Unit& unit,
+                  std::string_view none) {
+    if (const Value* value = find(key)) {
+        const auto* word = std::get_if<std::string>(&value->data);
+        if (word && !none.empty() && *word == none)
+            out.reset();
+        else if (!read_value(reading_, *value, path_of(key), out.emplace(), unit))
+            failed_.emplace(key);
+    }
+    note(record_, std::string(key), out, unit);
+}
+
+template <class T, class Unit>
+bool Table::required(std::string_view key, T& out, const Unit& unit) {
+    if (has(key)) {
+        field(key, out, unit);
+    } else {
+        find(key);
+        if constexpr (requires { unit.words(); })
+            missing(key, unit.words());
+        else
+            missing(key, {});
+    }
+    return !failed_.contains(key);
+}
+
+template <class T>
+void Table::read_child(const Value* value, Position at, const std::string& name, T& out) {
+    Table child(reading_, value, at, path_of(name));
+    read(child, out);
+    child.report_unknown();
+    record_.append(name, child.record_);
+}
+
+template <class T>
+void Table::table(std::string_view key, T& out) {
+    const Value* value = find(key);
+    if (!value || is_table(key, *value))
+        read_child(value, position_of(key), std::string(key), out);
+}
+
+template <class T>
+void Table::table(std::string_view key, std::optional<T>& out) {
+    const Value* value = find(key);
+    if (!value)
+        record_.lines.push_back(std::string(key) + " = none");
+    else if (is_table(key, *value))
+        read_child(value, position_of(key), std::string(key), out.emplace());
+}
+
+template <class T>
+void Table::tables(std::string_view key, std::vector<T>& out, std::size_t most) {
+    const Value::Array* array = array_of_tables(key, most);
+    if (!array) return;
+    out.assign(array->size(), T{});
+    for (std::size_t i = 0; i < out.size(); ++i)
+        read_child(&(*array)[i], (*array)[i].at, element(std::string(key), i), out[i]);
+}
+
+}  // namespace cydonia::config

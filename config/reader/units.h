@@ -1,0 +1,144 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "config/reader/mistakes.h"
+#include "config/reader/value.h"
+#include "field/length.h"
+#include "field/source.h"
+
+namespace cydonia::config {
+
+// A unit says how one value of a scene file is read, checked and written in canonical
+// form:
+//   T read(const Value&, Files&) const  throws Wrong
+//   std::string text(const T&) const    full precision, equal for equal values
+//   static constexpr bool kVaries       may be given as keys over time
+
+// Opens the files that a scene names, each one once.
+class Files {
+  public:
+    explicit Files(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    // Relative to the scene's folder.
+    const Source& open(const std::string& name);
+
+  private:
+    std::filesystem::path folder_;
+    std::map<std::string, std::variant<Source, Wrong>> opened_;
+};
+
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_in = true, high_in = true;  // the limits themselves are allowed
+
+    bool contains(double x) const {
+        return (low_in ? x >= low : x > low) && (high_in ? x <= high : x < high);
+    }
+};
+
+constexpr Range any() { return {}; }
+constexpr Range above(double low) { return {.low = low, .low_in = false}; }
+constexpr Range at_least(double low) { return {.low = low}; }
+constexpr Range from(double low, double high) { return {low, high}; }
+constexpr Range above_to(double low, double high) { return {low, high, false, true}; }
+constexpr Range between(double low, double high) { return {low, high, false, false}; }
+
+// A finite number.
+struct Number {
+    Range range;
+    static constexpr bool kVaries = true;
+    double read(const Value& value, Files&) const;
+    std::string text(double number) const;
+};
+
+// Degrees in the file, radians outside.
+struct Degrees {
+    Range range;  // degrees
+    static constexpr bool kVaries = true;
+    double read(const Value& value, Files&) const;
+    std::string text(double radians) const;
+};
+
+// Metres as a number, or a share of the terrain's width as "5.5 %".
+struct LengthUnit {
+    Range range;  // of the number as written
+    static constexpr bool kVaries = true;
+    Length read(const Value& value, Files&) const;
+    std::string text(const Length& length) const;
+};
+
+// A whole number, the same in every frame.
+struct Whole {
+    std::int64_t low, high;
+    static constexpr bool kVaries = false;
+    std::int64_t read(const Value& value, Files&) const;
+    std::string text(std::int64_t number) const;
+};
+
+// One line of text without control characters.
+struct Text {
+    std::size_t longest = 256;
+    static constexpr bool kVaries = false;
+    std::string read(const Value& value, Files&) const;
+    std::string text(const std::string& text) const;
+};
+
+// A word that may name a file: letters, digits, '_' and '-', at most 64.
+struct Word {
+    static constexpr bool kVaries = false;
+    std::string read(const Value& value, Files&) const;
+    std::string text(const std::string& text) const;
+};
+
+// A path, absolute or relative to the scene file; canonical by content.
+struct File {
+    static constexpr bool kVaries = false;
+    Source read(const Value& value, Files& files) const;
+    std::string text(const Source& source) const;
+};
+
+// The one table of an enum's values and their names in files.
+template <class E>
+struct Name {
+    std::string_view name;
+    E value;
+};
+
+// The index of the name that the value gives.
+std::size_t named(const Value& value, const std::vector<std::string>& names);
+
+template <class E>
+struct OneOf {
+    std::vector<Name<E>> names;
+    static constexpr bool kVaries = false;
+
+    std::vector<std::string> words() const {
+        std::vector<std::string> words;
+        for (const auto& name : names) words.emplace_back(name.name);
+        return words;
+    }
+    E read(const Value& value, Files&) const {
+        return names[named(value, words())].value;
+    }
+    std::string text(const E& wanted) const {
+        for (const auto& [name, value] : names)
+            if (value == wanted) return std::string(name);
+        return "?";
+    }
+};
+
+template <class E, std::size_t N>
+OneOf<E> one_of(const Name<E> (&names)[N]) {
+    return {{std::begin(names), std::end(names)}};
+}
+
+}  // namespace cydonia::config
