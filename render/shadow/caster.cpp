@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -23,13 +22,17 @@ namespace {
 
 constexpr int kMaxSide = 16384;  // Embree's grids end at 32767
 constexpr std::size_t kMaxSamples = std::size_t{1} << 32;
-constexpr int kPacket = 16;
+constexpr int kTile = 4;  // 4x4 neighbouring samples are one packet of rays
 
 // As Embree's grid geometry wants them: x east, y north, z up, in cells, from the middle
 // of the land, where floats are densest.
 struct Vertex {
     float x, y, z;
 };
+
+Vertex vertex(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 // Where a row or column of samples meets the mesh: in the square after sample `cell`,
 // `at` (0 to 1) of the way to the next.
@@ -67,6 +70,18 @@ Error no_memory(int width, int height) {
     return failure("not enough memory to cast the shadows of {}x{} heights", width,
                    height);
 }
+
+// Every sample of a cast, and the unit vector to the sun.
+struct Samples {
+    std::vector<Stop> columns, rows;
+    Vertex sun;
+};
+
+// Where a sample's ray starts, and whether the triangle it leaves is turned to the sun.
+struct Start {
+    Vertex at;
+    bool faces_sun;
+};
 
 void check_request(const Field<float>& heights, double spacing) {
     const int w = heights.width(), h = heights.height();
@@ -109,8 +124,9 @@ struct Caster::Scene {
     const Vertex* row(int y) const {
         return vertices + static_cast<std::size_t>(height - 1 - y) * width;
     }
-    void cast_row(Stop y, const std::vector<Stop>& columns, const Vec3& to_sun,
-                  std::span<std::uint8_t> shadow) const;
+    Start start(Stop column, Stop line, Vertex sun) const;
+    void cast_tile(int x0, int y0, const Samples& samples,
+                   Field<std::uint8_t>& shadow) const;
 
     int width, height;
     Handle<RTCDevice, rtcReleaseDevice> device;
@@ -124,8 +140,8 @@ Caster::Scene::Scene(const Field<float>& heights, double spacing)
       height(heights.height()),
       device(rtcNewDevice(nullptr)),
       scene(rtcNewScene(device.get())) {
-    // Without it rays that run along the mesh's own lines slip between two triangles: at
-    // azimuths 90, 135 and 315 up to 4% of the samples.
+    // Else rays that run along the mesh's own lines slip between two triangles: up to 4%
+    // of the samples at azimuths 90, 135 and 315.
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     lay_grid(heights, spacing);
     rtcCommitScene(scene.get());
@@ -149,12 +165,11 @@ void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
     parallel_for(height, 16, [&](int y) {
         Vertex* out = laid + static_cast<std::size_t>(height - 1 - y) * width;
         for (int x = 0; x < width; ++x)
-            out[x] = {static_cast<float>(x - 0.5 * (width - 1)),
-                      static_cast<float>(0.5 * (height - 1) - y),
-                      static_cast<float>((heights(x, y) - middle) / spacing)};
+            out[x] = vertex({x - 0.5 * (width - 1), 0.5 * (height - 1) - y,
+                             (heights(x, y) - middle) / spacing});
     });
-    // A few steps between neighbouring floats at the mesh's far end: the least that keeps
-    // planes free of their own shadow.
+    // A few steps between neighbouring floats at the mesh's far end: a quarter of it is
+    // the least that keeps planes free of their own shadow.
     const double reach =
         std::max({0.5 * width, 0.5 * height, (*high - middle) / spacing});
     lift = static_cast<float>(4.0 * reach * std::numeric_limits<float>::epsilon());
@@ -162,46 +177,47 @@ void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
     rtcAttachGeometry(scene.get(), geometry.get());
 }
 
-void Caster::Scene::cast_row(Stop y, const std::vector<Stop>& columns, const Vec3& to_sun,
-                             std::span<std::uint8_t> shadow) const {
-    const Vertex* north = row(y.cell);
-    const Vertex* south = row(y.cell + 1);
-    const auto sun_x = static_cast<float>(to_sun.x);
-    const auto sun_y = static_cast<float>(to_sun.y);
-    const auto sun_z = static_cast<float>(to_sun.z);
-    const bool sun_north_east = sun_x + sun_y > 0.0f;
-    const float v = y.at;
+Start Caster::Scene::start(Stop column, Stop line, Vertex sun) const {
+    const Vertex* north = row(line.cell) + column.cell;
+    const Vertex* south = row(line.cell + 1) + column.cell;
+    const float nw = north[0].z, ne = north[1].z, sw = south[0].z, se = south[1].z;
+    const float u = column.at, v = line.at;
+    // The square's NW-SE diagonal is u = v; samples on it belong to the sunward triangle.
+    const bool north_east = u > v || (u == v && sun.x + sun.y > 0.0f);
+    const float rise_u = north_east ? ne - nw : se - sw;
+    const float rise_v = north_east ? se - ne : sw - nw;
+    return {{north->x + u, north->y - v, nw + u * rise_u + v * rise_v + lift},
+            sun.z - rise_u * sun.x + rise_v * sun.y > 0.0f};
+}
 
+void Caster::Scene::cast_tile(int x0, int y0, const Samples& samples,
+                              Field<std::uint8_t>& shadow) const {
+    constexpr int kRays = kTile * kTile;
     alignas(64) RTCRay16 rays{};
-    alignas(64) std::array<int, kPacket> valid{};
-    std::fill_n(rays.dir_x, kPacket, sun_x);
-    std::fill_n(rays.dir_y, kPacket, sun_y);
-    std::fill_n(rays.dir_z, kPacket, sun_z);
-    std::fill_n(rays.org_y, kPacket, north->y - v);
-    std::fill_n(rays.mask, kPacket, ~0u);
-
-    for (std::size_t begin = 0; begin < columns.size(); begin += kPacket) {
-        const std::size_t count = std::min<std::size_t>(kPacket, columns.size() - begin);
-        valid.fill(0);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto [x, u] = columns[begin + i];
-            const float nw = north[x].z, ne = north[x + 1].z;
-            const float sw = south[x].z, se = south[x + 1].z;
-            // The square's NW-SE diagonal is u = v; a sample on it belongs to the sunward
-            // triangle.
-            const bool north_east = u > v || (u == v && sun_north_east);
-            const float east = north_east ? ne - nw : se - sw;  // rise along u
-            const float down = north_east ? se - ne : sw - nw;  // rise along v
-            const bool faces_sun = sun_z - east * sun_x + down * sun_y > 0.0f;
-            rays.org_x[i] = north[x].x + u;
-            rays.org_z[i] = nw + u * east + v * down + lift;
-            rays.tfar[i] = std::numeric_limits<float>::infinity();
-            valid[i] = faces_sun ? -1 : 0;
+    alignas(64) std::array<int, kRays> faces_sun{};
+    const int columns = std::min(kTile, shadow.width() - x0);
+    const int rows = std::min(kTile, shadow.height() - y0);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const Start from =
+                start(samples.columns[x0 + x], samples.rows[y0 + y], samples.sun);
+            const int i = y * kTile + x;
+            rays.org_x[i] = from.at.x;
+            rays.org_y[i] = from.at.y;
+            rays.org_z[i] = from.at.z;
+            faces_sun[i] = from.faces_sun ? -1 : 0;
         }
-        mark_occluded(scene.get(), valid.data(), rays);
-        for (std::size_t i = 0; i < count; ++i)
-            shadow[begin + i] = !valid[i] || rays.tfar[i] < 0.0f;
-    }
+    std::fill_n(rays.dir_x, kRays, samples.sun.x);
+    std::fill_n(rays.dir_y, kRays, samples.sun.y);
+    std::fill_n(rays.dir_z, kRays, samples.sun.z);
+    std::fill_n(rays.tfar, kRays, std::numeric_limits<float>::infinity());
+    std::fill_n(rays.mask, kRays, ~0u);
+    mark_occluded(scene.get(), faces_sun.data(), rays);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const int i = y * kTile + x;
+            shadow(x0 + x, y0 + y) = !faces_sun[i] || rays.tfar[i] < 0.0f;
+        }
 }
 
 Caster::Caster(const Field<float>& heights, double spacing) {
@@ -223,12 +239,12 @@ Field<std::uint8_t> Caster::shadow(const Sun& sun, int rays) const {
     if (rays < 1 || rays > 64 || cells * rays * rays > kMaxSamples)
         throw bad_request("{0}x{0} rays a cell are too many for {1}x{2} heights", rays, w,
                           h);
-    const std::vector<Stop> columns = stops(w, rays, to_sun.x >= 0.0);
-    const std::vector<Stop> rows = stops(h, rays, to_sun.y < 0.0);
+    const Samples samples{stops(w, rays, to_sun.x >= 0.0), stops(h, rays, to_sun.y < 0.0),
+                          vertex(to_sun)};
     Field<std::uint8_t> shadow(w * rays, h * rays);
-    parallel_for(h * rays, [&](int y) {
-        scene_->cast_row(rows[static_cast<std::size_t>(y)], columns, to_sun,
-                         shadow.row(y));
+    parallel_for((shadow.height() + kTile - 1) / kTile, [&](int band) {
+        for (int x = 0; x < shadow.width(); x += kTile)
+            scene_->cast_tile(x, band * kTile, samples, shadow);
     });
     return shadow;
 }
