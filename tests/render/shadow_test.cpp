@@ -43,8 +43,8 @@ void expect_lit_or_dark(int n, double slope, double uphill) {
 TEST(Caster, PlaneIsLitOrDarkAsAWhole) {
     for (const double slope : {2.0, 10.0, 30.0, 60.0, 80.0})
         for (double uphill = 0.0; uphill < 360.0; uphill += 60.0)
-            expect_lit_or_dark(90, slope, uphill);
-    expect_lit_or_dark(700, 10.0, 40.0);
+            expect_lit_or_dark(50, slope, uphill);
+    expect_lit_or_dark(400, 10.0, 40.0);
 }
 
 // The dark samples beyond the crest of a wall through the middle of flat land, measured
@@ -68,7 +68,7 @@ double shadow_length(const Sun& sun, double wall, int rays) {
 }
 
 TEST(Caster, WallOfHeightHCastsHOverTanElevation) {
-    constexpr int kRays = 4;
+    constexpr int kRays = 2;
     constexpr double kWall = 200.0;
     for (const double elevation : {10.0, 25.0, 45.0, 70.0})
         for (int i = 0; i < 16; ++i) {
@@ -129,7 +129,7 @@ TEST(Caster, AgreesWithASlowMarchOverTheSameTriangles) {
     const Field<float> heights = fractal(96, 80, 6.0f, 7);
     const Caster caster(heights, 1.0);
     std::size_t samples = 0, wrong = 0, dark = 0;
-    for (const double elevation : {2.0, 8.0, 20.0, 40.0, 65.0})
+    for (const double elevation : {2.0, 15.0, 40.0})
         for (const double azimuth : {0.0, 33.0, 90.0, 135.0, 200.0, 251.0, 315.0})
             for (const int rays : {1, 2, 3}) {
                 const Sun sun = sun_at(azimuth, elevation);

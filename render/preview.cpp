@@ -1,0 +1,122 @@
+#include "render/preview.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "field/parallel.h"
+#include "field/sun.h"
+
+namespace cydonia::render {
+
+namespace {
+
+struct Slope {
+    float east, north;  // rise per metre
+};
+
+// Horn 1981: central differences, the two next rows and columns at half weight; the edge
+// repeats.
+Field<Slope> slopes(const Field<float>& heights, double spacing) {
+    const int w = heights.width(), h = heights.height();
+    Field<Slope> result(w, h);
+    const double scale = 1.0 / (8.0 * spacing);
+    parallel_for(h, 16, [&](int y) {
+        const int north = std::max(y - 1, 0), south = std::min(y + 1, h - 1);
+        for (int x = 0; x < w; ++x) {
+            const int west = std::max(x - 1, 0), east = std::min(x + 1, w - 1);
+            const auto sum = [&](int x0, int y0, int x1, int y1, int x2, int y2) {
+                return static_cast<double>(heights(x0, y0)) + 2.0 * heights(x1, y1) +
+                       heights(x2, y2);
+            };
+            result(x, y) = {
+                static_cast<float>(scale * (sum(east, north, east, y, east, south) -
+                                            sum(west, north, west, y, west, south))),
+                static_cast<float>(scale * (sum(west, north, x, north, east, north) -
+                                            sum(west, south, x, south, east, south)))};
+        }
+    });
+    return result;
+}
+
+// What brings the slope that nine in ten samples stay below to 40 degrees.
+double exaggeration(const Field<Slope>& slopes) {
+    std::vector<float> steepness(slopes.size());
+    std::transform(slopes.begin(), slopes.end(), steepness.begin(),
+                   [](Slope s) { return std::hypot(s.east, s.north); });
+    const auto ninth = steepness.begin() + static_cast<std::ptrdiff_t>(
+                                               0.9 * static_cast<double>(slopes.size()));
+    std::nth_element(steepness.begin(), ninth, steepness.end());
+    return std::clamp(
+        std::tan(radians(40.0)) / std::max(1e-6, static_cast<double>(*ninth)), 0.2, 5.0);
+}
+
+struct Lamp {
+    Vec3 direction;
+    double weight;
+};
+
+const std::array<Lamp, 4> kLamps{{
+    {direction_to({radians(315.0), radians(40.0)}), 0.65},
+    {direction_to({radians(265.0), radians(50.0)}), 0.15},
+    {direction_to({radians(5.0), radians(50.0)}), 0.10},
+    {{0.0, 0.0, 1.0}, 0.25},
+}};
+
+// Low, middle and high land.
+constexpr std::array<std::array<double, 3>, 3> kTints{
+    {{112, 122, 108}, {196, 182, 152}, {246, 243, 238}}};
+
+double tint(double height, int channel) {
+    const double at = std::clamp(2.0 * height, 0.0, 2.0);
+    const int lower = at < 1.0 ? 0 : 1;
+    const double t = at - lower;
+    return (1.0 - t) * kTints[lower][channel] + t * kTints[lower + 1][channel];
+}
+
+Field<float> at_most(const Field<float>& heights, int longest) {
+    const double scale =
+        static_cast<double>(longest) / std::max(heights.width(), heights.height());
+    if (scale >= 1.0) return heights;
+    const auto scaled = [&](int side) {
+        return std::max(1, static_cast<int>(std::lround(scale * side)));
+    };
+    return resized(heights, scaled(heights.width()), scaled(heights.height()));
+}
+
+}  // namespace
+
+Field<float> relief(const Field<float>& heights, double spacing) {
+    if (heights.empty()) return {};
+    const Field<Slope> rise = slopes(heights, spacing);
+    const double steeper = exaggeration(rise);
+    Field<float> result(heights.width(), heights.height());
+    parallel_for(heights.height(), 16, [&](int y) {
+        for (int x = 0; x < heights.width(); ++x) {
+            const Vec3 normal = normalized(
+                {-steeper * rise(x, y).east, -steeper * rise(x, y).north, 1.0});
+            double light = 0.0;
+            for (const Lamp& lamp : kLamps)
+                light += lamp.weight * std::max(0.0, dot(normal, lamp.direction));
+            result(x, y) = static_cast<float>(std::min(light, 1.0));
+        }
+    });
+    return result;
+}
+
+Field<Rgb8> hillshade(const Field<float>& heights, double spacing, int longest) {
+    const Field<float> land = at_most(heights, longest);
+    if (land.empty()) return {};
+    const Field<float> shade = relief(land, spacing * heights.width() / land.width());
+    const auto [low, high] = std::minmax_element(land.begin(), land.end());
+    const double base = *low, range = std::max(1e-6, static_cast<double>(*high) - base);
+    Field<Rgb8> result(land.width(), land.height());
+    for (std::size_t i = 0; i < land.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            result[i][c] = static_cast<std::uint8_t>(std::clamp(
+                tint((land[i] - base) / range, c) * (0.25 + shade[i]), 0.0, 255.0));
+    return result;
+}
+
+}  // namespace cydonia::render
