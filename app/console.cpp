@@ -14,9 +14,10 @@
 namespace cydonia {
 namespace {
 
-constexpr int kBarWidth = 28;
+constexpr int kBarWidth = 16;
 constexpr double kBarEvery = 0.1;    // seconds between redraws
 constexpr double kLineEvery = 10.0;  // seconds between lines in a log
+constexpr double kNoticed = 0.05;    // seconds; shorter steps leave no line
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
@@ -84,7 +85,9 @@ void Console::finish() {
 void Console::end_step() {
     if (name_.empty()) return;
     const double seconds = seconds_since(begun_);
-    print_above(fmt::format("{:<32} {:>10}\n", name_, duration_text(seconds)));
+    print_above(seconds < kNoticed
+                    ? ""
+                    : fmt::format("{:<40} {:>10}\n", name_, duration_text(seconds)));
     name_.clear();
 }
 
@@ -95,7 +98,7 @@ void Console::draw(double fraction, double elapsed) {
         return;
     }
     const int full = static_cast<int>(std::lround(fraction * kBarWidth));
-    put(fmt::format("\r\033[K{:<32} [{:#<{}}{:.<{}}] {:3.0f}%{}", name_, "", full, "",
+    put(fmt::format("\r\033[K{:<40} [{:#<{}}{:.<{}}] {:3.0f}%{}", name_, "", full, "",
                     kBarWidth - full, 100.0 * fraction, left));
     bar_drawn_ = true;
 }

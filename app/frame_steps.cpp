@@ -10,7 +10,6 @@
 #include "app/memory.h"
 #include "app/threads.h"
 #include "field/files.h"
-#include "render/cameras.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
 
@@ -77,11 +76,10 @@ Made deliver(Job& job, const std::string& frame) {
     return {{"frames/" + frame + ".exr", "frames/" + frame + ".png"}};
 }
 
-std::uint64_t pixels_of(const render::CameraOptions& camera, render::Quality quality) {
-    const Terrain nowhere{Field<float>(2, 2), 1.0, {}, {}};
-    const Camera placed = render::place(camera, nowhere, quality);
-    return static_cast<std::uint64_t>(placed.width) *
-           static_cast<std::uint64_t>(placed.height);
+// At most, whatever the quality: render::place makes smaller frames of drafts.
+std::uint64_t pixels_of(const render::CameraOptions& camera) {
+    return static_cast<std::uint64_t>(camera.size[0]) *
+           static_cast<std::uint64_t>(camera.size[1]);
 }
 
 }  // namespace
@@ -93,7 +91,7 @@ std::string_view name_of(render::Quality quality) {
 
 std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera) {
     const std::string frame = camera.name;
-    const std::uint64_t pixels = pixels_of(camera, job.request.quality);
+    const std::uint64_t pixels = pixels_of(camera);
     return {{"trace " + frame, Goal::kFrames, memory::of_trace(job.cells(), pixels),
              [&job, frame] { return trace_key(job, frame); },
              [&job, frame] { return trace(job, frame); }},

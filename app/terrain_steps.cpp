@@ -8,6 +8,7 @@
 #include "app/memory.h"
 #include "field/dem.h"
 #include "field/files.h"
+#include "render/preview.h"
 
 namespace fs = std::filesystem;
 
@@ -37,9 +38,11 @@ Made export_terrain(Job& job) {
     Metadata metadata = job.metadata();
     metadata["cydonia:spacing"] = fmt::format("{}", terrain.spacing);
 
-    Made made{{"terrain.exr", "terrain.tif"}, measured(terrain)};
+    Made made{{"terrain.exr", "terrain.tif", "preview.png"}, measured(terrain)};
     write_exr(job.folder / "terrain.exr", terrain.heights, "Y", metadata);
     write_geotiff(job.folder / "terrain.tif", terrain);
+    write_png(job.folder / "preview.png",
+              render::hillshade(terrain.heights, terrain.spacing));
     if (!terrain.masks.empty()) make_folder(job.folder / "masks");
     for (const auto& [name, mask] : terrain.masks) {
         made.outputs.push_back(fmt::format("masks/{}.png", name));
