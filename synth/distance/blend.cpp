@@ -17,18 +17,25 @@ namespace {
 constexpr int kMaxPasses = 16;
 constexpr double kLabelBytes = 0x1p30;
 
-// How far a weight's way from 0 to 1 reaches beyond its threshold, in thresholds.
-constexpr float kFadeWidth = 3.0f;
-
 float smoothstep(float t) {
     t = std::clamp(t, 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
 
-// 0 at and below the threshold, 1 from four thresholds on.
-float fade(float value, float threshold) {
-    if (threshold <= 0.0f) return value > 0.0f ? 1.0f : 0.0f;
-    return smoothstep((value - threshold) / (kFadeWidth * threshold));
+// 0 at and below `from`, 1 from `to` on.
+float fade(float value, float from, float to) {
+    return to > from ? smoothstep((value - from) / (to - from)) : float(value > from);
+}
+
+// Weight lost near the sea, where a pass stops within epsilon_s of it.
+float fade_at_sea(float height, float threshold) {
+    return fade(height, threshold, 4.0f * threshold);
+}
+
+// Weight lost far below the approximate land, where a pass stops by p_f. A slow fade: at
+// b = 0 a quick one is itself a step.
+float fade_below(float ratio, float threshold) {
+    return fade(ratio, threshold, std::min(8.0f * threshold, 1.0f));
 }
 
 // x^b for x in [0, 1]; whole exponents, the usual ones, by multiplication.
@@ -112,7 +119,8 @@ std::vector<Share> shares_of(const Work& work, int feature, LeastCost& paths) {
         const float height = work.height_at(paths[node].cost);
         if (!(height > least)) break;  // in order of cost: no higher one follows
         const float ratio = std::min(1.0f, height / work.approximate[node]);
-        const float weight = fade(height, least) * fade(ratio, part) * power(ratio);
+        const float weight =
+            fade_at_sea(height, least) * fade_below(ratio, part) * power(ratio);
         if (weight > 0.0f) shares.push_back({node, height, weight});
     }
     return shares;
@@ -137,7 +145,7 @@ struct Sums {
     // Where the last feature stops too the land meets the sea without a step.
     float height_at(int node, float least) const {
         if (weights[node] <= 0.0f) return 0.0f;
-        return fade(highest[node], least) * (heights[node] / weights[node]);
+        return fade_at_sea(highest[node], least) * (heights[node] / weights[node]);
     }
 };
 
