@@ -18,12 +18,12 @@ double SunElevation::read(const Value& value, Files& files) const {
     const double elevation = Degrees{}.read(value, files);
     if (elevation <= 0.0)
         throw Wrong{
-            fmt::format("a sun at {} degrees is at or below the horizon; must be "
+            fmt::format("a sun at {:.6g} degrees is at or below the horizon; must be "
                         "above 0 and at most {} degrees",
                         degrees(elevation), kHighest)};
     if (elevation > radians(kHighest))
         throw Wrong{
-            fmt::format("a sun at {} degrees is overhead and casts no shadow; must "
+            fmt::format("a sun at {:.6g} degrees is overhead and casts no shadow; must "
                         "be above 0 and at most {} degrees",
                         degrees(elevation), kHighest)};
     return elevation;

@@ -61,7 +61,8 @@ Value& child(Value& parent, const std::string& step, int origin) {
     if (auto* table = std::get_if<Value::Table>(&parent.data)) {
         const auto entry = std::ranges::find(*table, step, &Value::Entry::key);
         if (entry != table->end()) return entry->value;
-        if (index_of(step)) throw Wrong{"the file has no such array"};
+        if (index_of(step))
+            throw Wrong{fmt::format("no entry {}; the file has none", step)};
         return table->emplace_back(Value::Entry{step, here, {here, Value::Table{}}})
             .value;
     }
@@ -83,15 +84,19 @@ std::optional<Mistake> apply_override(Value& document, const std::string& overri
     const auto path = steps(override_text.substr(0, equals));
     if (equals == std::string::npos || path.empty())
         return Mistake{here, "", "expected KEY=VALUE such as terrain.samples=1024"};
-    Value* at = &document;
+    Value changed = document;  // nothing is left half made when the path leads nowhere
+    Value* at = &changed;
     std::string walked;
-    for (const auto& step : path) try {
+    try {
+        for (const auto& step : path) {
             at = &child(*at, step, origin);
             walked += (walked.empty() ? "" : ".") + step;
-        } catch (const Wrong& wrong) {
-            return Mistake{here, walked, wrong.message};
         }
+    } catch (const Wrong& wrong) {
+        return Mistake{here, walked, wrong.message};
+    }
     *at = value_of(override_text.substr(equals + 1), origin);
+    document = std::move(changed);
     return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ class Table {
     // A value, or an std::array or std::vector of them.
     template <class T, class Unit>
     void field(std::string_view key, T& out, const Unit& unit);
-    // `none` is a word that stands for no value: "auto".
+    // `none` is a word that stands for no number: "auto".
     template <class T, class Unit>
     void field(std::string_view key, std::optional<T>& out, const Unit& unit,
                std::string_view none = {});
@@ -93,6 +93,9 @@ void Table::field(std::string_view key, std::optional<T>& out, const Unit& unit,
         const auto* word = std::get_if<std::string>(&value->data);
         if (word && !none.empty() && *word == none)
             out.reset();
+        else if (word && !none.empty())
+            mistake(key, "expected a number or \"" + std::string(none) + "\", found " +
+                             described(*value));
         else if (!read_value(reading_, *value, path_of(key), out.emplace(), unit))
             failed_.emplace(key);
     }

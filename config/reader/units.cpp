@@ -76,22 +76,22 @@ std::string line_of_text(const Value& value, std::size_t longest) {
 
 const Source& Files::open(const std::string& name) {
     auto [found, fresh] = opened_.try_emplace(name, Wrong{});
-    auto& opened = found->second;
-    if (fresh) {
-        const std::filesystem::path path = folder_ / name;
-        std::error_code error;
-        const auto folder = folder_.empty() ? "." : folder_.string();
-        if (!std::filesystem::exists(path, error))
-            opened = Wrong{fmt::format("cannot open '{}' (looked in {})", name, folder)};
-        else
-            try {
-                opened = open_source(path);
-            } catch (const Error& e) {
-                opened = Wrong{e.what()};
-            }
+    if (fresh) found->second = opened(name);
+    if (const auto* wrong = std::get_if<Wrong>(&found->second)) throw *wrong;
+    return std::get<Source>(found->second);
+}
+
+std::variant<Source, Wrong> Files::opened(const std::string& name) const {
+    const std::filesystem::path path = folder_ / name;
+    std::error_code ignored;
+    if (path != name && !std::filesystem::exists(path, ignored))
+        return Wrong{
+            fmt::format("cannot open '{}' (looked in {})", name, folder_.string())};
+    try {
+        return open_source(path);
+    } catch (const Error& error) {
+        return Wrong{error.what()};
     }
-    if (const auto* wrong = std::get_if<Wrong>(&opened)) throw *wrong;
-    return std::get<Source>(opened);
 }
 
 double Number::read(const Value& value, Files&) const {

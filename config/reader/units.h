@@ -26,11 +26,14 @@ namespace cydonia::config {
 // Opens the files that a scene names, each one once.
 class Files {
   public:
-    explicit Files(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    // Relative to the scene's folder.
+    explicit Files(std::filesystem::path folder)
+        : folder_(folder.empty() ? "." : std::move(folder)) {}
+    // Relative to the scene's folder. Throws Wrong.
     const Source& open(const std::string& name);
 
   private:
+    std::variant<Source, Wrong> opened(const std::string& name) const;
+
     std::filesystem::path folder_;
     std::map<std::string, std::variant<Source, Wrong>> opened_;
 };

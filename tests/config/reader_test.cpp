@@ -1,1 +1,196 @@
-#include <gtest/gtest.h>
+#include <cmath>
+
+#include "field/vec.h"
+#include "tests/config/scene_file.h"
+
+namespace cydonia::config {
+namespace {
+
+using Reader = SceneFile;
+
+template <class Options>
+const Options& stage(const SceneSpec& scene, std::size_t i) {
+    return std::get<Options>(scene.stages.at(i).options);
+}
+
+TEST_F(Reader, LeastSceneHasTheStructsDefaults) {
+    const SceneSpec s = load(kLeastScene).at(0);
+    const distance::Options plain;
+    const auto& d = stage<distance::Options>(s, 0);
+    EXPECT_EQ(s.seed, SceneSpec{}.seed);
+    EXPECT_EQ(s.terrain.width, TerrainSpec{}.width);
+    EXPECT_EQ(s.terrain.samples, TerrainSpec{}.samples);
+    EXPECT_EQ(d.peaks.count, 3);
+    EXPECT_EQ(d.grain, plain.grain);
+    EXPECT_EQ(d.cost.noise, plain.cost.noise);
+    EXPECT_EQ(d.cost.range, plain.cost.range);
+    EXPECT_EQ(d.sea_level_threshold, plain.sea_level_threshold);
+    EXPECT_TRUE(d.profile.empty());
+    EXPECT_FALSE(s.render.sun || s.render.water || s.render.colour.config);
+    EXPECT_TRUE(s.render.cameras.empty());
+    EXPECT_EQ(s.render.ground.rock_slope, render::GroundOptions{}.rock_slope);
+}
+
+TEST_F(Reader, FullSceneOfTerrain) {
+    const SceneSpec s = load(golden_text("full.toml")).at(0);
+    EXPECT_EQ(s.title, "Every key");
+    EXPECT_EQ(s.seed, 7u);
+    EXPECT_EQ(s.terrain.width, 6000.0);
+    EXPECT_EQ(s.terrain.depth, 4000.0);
+    ASSERT_EQ(s.stages.size(), 3u);
+
+    const auto& d = stage<distance::Options>(s, 0);
+    EXPECT_EQ(d.strokes->path, folder_ / "ridges.svg");
+    EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
+    EXPECT_EQ(d.neighbours, 16);
+    EXPECT_EQ(d.grain, of_width(0.01));
+    EXPECT_EQ(d.cost.kind, distance::CostRule::Kind::kRandom);
+    EXPECT_EQ(d.cost.range[1], metres(300.0));
+    EXPECT_EQ(d.peaks.cost.noise.kind, NoiseOptions::Kind::kRidged);
+    EXPECT_EQ(d.profile.points.at(1)[1], 0.5);
+    EXPECT_EQ(d.profile.reach, metres(900.0));
+
+    const auto& p = stage<pareidolia::Options>(s, 2);
+    EXPECT_EQ(p.images.at(0).azimuth, std::nullopt);
+    EXPECT_EQ(p.images.at(0).elevation, radians(20.0));
+    EXPECT_EQ(p.images.at(0).target.name(), "ridges.svg");
+    EXPECT_EQ(p.secondary_peaks, 5);
+}
+
+TEST_F(Reader, FullSceneOfRender) {
+    const render::Options r = load(golden_text("full.toml")).at(0).render;
+    ASSERT_EQ(r.cameras.size(), 3u);
+    EXPECT_EQ(r.cameras[0].kind, render::CameraOptions::Kind::kOverhead);
+    EXPECT_EQ(r.cameras[0].size, (std::array{1024, 512}));
+    EXPECT_EQ(r.cameras[1].distance, of_width(0.9));
+    EXPECT_EQ(r.cameras[1].sun->azimuth, radians(120.0));
+    EXPECT_EQ(r.cameras[2].eye[1], of_width(0.5));
+    EXPECT_EQ(r.cameras[2].eye[2], metres(30.0));
+    EXPECT_EQ(r.water->level, metres(12.0));
+    EXPECT_EQ(r.ground.rock_slope[1], radians(42.0));
+    EXPECT_EQ(r.colour.view, "ACES");
+}
+
+TEST_F(Reader, SourcesAreEveryFileOfAStage) {
+    const SceneSpec s = load(golden_text("full.toml")).at(0);
+    for (const auto& spec : s.stages) ASSERT_EQ(spec.sources.size(), 1u);
+    EXPECT_EQ(s.stages[0].sources[0].name(), "ridges.svg");
+    EXPECT_EQ(s.stages[1].sources[0].name(), "profile.png");
+}
+
+TEST_F(Reader, AbsolutePaths) {
+    const std::string path = (folder_ / "ridges.svg").string();
+    EXPECT_EQ(complaint(kLeastScene + "strokes = '" + path + "'\n"), "");
+    EXPECT_EQ(complaint(kLeastScene + "strokes = '" + path + "x'\n"),
+              "scene.toml:4:11: terrain.stage[0].strokes: cannot open 'ridges.svgx': No "
+              "such file or "
+              "directory");
+}
+
+TEST_F(Reader, KeysInterpolate) {
+    const Scene scene = load(
+        kLeastScene +
+        "mean_edge_weight = { keys = [[10, 2.0], [20, 4.0], [40, 3.0]] }\n"
+        "grain = { keys = [[0, '1 %'], [10, 200.0]] }\n"
+        "[render]\nsun = { azimuth = { keys = [[0, 350.0], [10, 370.0]] }, elevation = 9 "
+        "}\n");
+    const auto weight = [&](double frame) {
+        return stage<distance::Options>(scene.at(frame), 0).mean_edge_weight;
+    };
+    EXPECT_EQ(weight(-5), 2.0);
+    EXPECT_EQ(weight(10), 2.0);
+    EXPECT_EQ(weight(15), 3.0);
+    EXPECT_EQ(weight(20), 4.0);
+    EXPECT_EQ(weight(30), 3.5);
+    EXPECT_EQ(weight(1e9), 3.0);
+    const SceneSpec half = scene.at(5);
+    EXPECT_EQ(stage<distance::Options>(half, 0).grain, (Length{100.0, 0.005}));
+    EXPECT_NEAR(half.render.sun->azimuth, radians(360.0), 1e-12);
+    EXPECT_THROW(scene.at(std::nan("")), Error);
+}
+
+TEST_F(Reader, KeysChangeTheCanonicalTextOfTheirStageOnly) {
+    const Scene scene = load(golden_text("full.toml"));
+    const SceneSpec a = scene.at(0), b = scene.at(12);
+    EXPECT_NE(a.stages[0].text, b.stages[0].text);
+    EXPECT_EQ(a.stages[2].text, b.stages[2].text);
+    EXPECT_NE(a.render_text, b.render_text);  // the sun moves
+}
+
+TEST_F(Reader, CanonicalTextIgnoresOrderAndComments) {
+    const SceneSpec a = load(
+                            "[[terrain.stage]]\nmethod = 'distance'\n"
+                            "strokes = 'ridges.svg'\nminimum_scale = 0.1\n"
+                            "grain = \"5 %\"\n[terrain.stage.peaks]\ncount = 2\n"
+                            "[render]\nsky.fill = 2\nhaze.visibility = 10.0\n")
+                            .at(0);
+    const SceneSpec b = load(
+                            "render.haze = { visibility = 10 } # hazy\n"
+                            "render.sky = { fill = 2.0 }\n[[terrain.stage]] # one\n"
+                            "peaks = { count = 0x2 }\ngrain = '5.0 %'\n"
+                            "minimum_scale = 1e-1\nstrokes = './ridges.svg'\n"
+                            "method = 'distance'\n")
+                            .at(0);
+    EXPECT_EQ(a.stages[0].text, b.stages[0].text);
+    EXPECT_EQ(a.render_text, b.render_text);
+    EXPECT_EQ(a.stages[0].text.find(".svg"), std::string::npos);
+}
+
+TEST_F(Reader, CanonicalTextKnowsFilesByContent) {
+    const auto text = [&](const char* name) {
+        return load(kLeastScene + "strokes = '" + name + "'\n").at(0).stages[0].text;
+    };
+    std::filesystem::copy_file(folder_ / "ridges.svg", folder_ / "copy.svg");
+    const std::string before = text("ridges.svg");
+    EXPECT_EQ(text("copy.svg"), before);
+    std::ofstream(folder_ / "copy.svg", std::ios::app) << " ";
+    EXPECT_NE(text("copy.svg"), before);
+}
+
+TEST_F(Reader, CanonicalTextHasFullPrecision) {
+    const auto text = [&](const char* number) {
+        return load(kLeastScene + "minimum_scale = " + number + "\n")
+            .at(0)
+            .stages[0]
+            .text;
+    };
+    EXPECT_NE(text("0.1"), text("0.10000000000000002"));
+}
+
+TEST_F(Reader, OverridesReplaceAndAdd) {
+    const SceneSpec s =
+        load(
+            golden_text("full.toml"),
+            {"terrain.samples=64", "terrain.stage.0.grain=5.5 %",
+             "terrain.stage[0].metric=euclidean", "terrain.stage[2].image[0].min_iou=0.5",
+             "terrain.stage[0].edge_weight_deviation=0.25", "render.ground.snow_line=7",
+             "render.camera[2].eye[2]=31", "title=a = b"})
+            .at(0);
+    const auto& d = stage<distance::Options>(s, 0);
+    EXPECT_EQ(s.terrain.samples, 64);
+    EXPECT_EQ(s.title, "a = b");
+    EXPECT_EQ(d.grain, of_width(0.055));
+    EXPECT_EQ(d.metric, distance::Options::Metric::kEuclidean);
+    EXPECT_EQ(d.edge_weight_deviation, 0.25);
+    EXPECT_EQ(stage<pareidolia::Options>(s, 2).images[0].min_iou, 0.5);
+    EXPECT_EQ(s.render.cameras[2].eye[2], metres(31.0));
+    const SceneSpec added = load(kLeastScene, {"render.water.level=3"}).at(0);
+    EXPECT_EQ(added.render.water->level, metres(3.0));
+}
+
+TEST_F(Reader, NameIsTheFoldersOrTheFiles) {
+    const auto name = [&](const std::string& relative) {
+        const auto path = folder_ / relative;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path) << kLeastScene;
+        return Scene::load(path).at(0).name;
+    };
+    EXPECT_EQ(name("text/scene.toml"), "text");
+    EXPECT_EQ(name("text/../other/scene.toml"), "other");
+    EXPECT_EQ(name("foo.toml"), "foo");
+    EXPECT_EQ(name("a b.c/scene.toml"), "a_b_c");
+    EXPECT_EQ(name("..toml"), "_");
+}
+
+}  // namespace
+}  // namespace cydonia::config

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/config/scene_file.h"
+
+namespace cydonia::config {
+namespace {
+
+using Docs = SceneFile;
+
+std::string manual() {
+    return read_text(std::filesystem::path(CYDONIA_SOURCE_DIR) / "docs" /
+                     "scene-file.md");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+// "terrain.stage[0].grain" -> "0 m + 0.0078125 width", for every value of a scene.
+std::map<std::string, std::string> values_of(const SceneSpec& scene) {
+    std::string text = fmt::format(
+        "seed = {}\nterrain.extent[0] = {}\nterrain.extent[1] = {}\n"
+        "terrain.samples = {}\ntitle = {}\n",
+        scene.seed, scene.terrain.width, scene.terrain.depth, scene.terrain.samples,
+        scene.title);
+    for (std::size_t i = 0; i < scene.stages.size(); ++i)
+        for (const auto& line : lines_of(scene.stages[i].text))
+            text += fmt::format("terrain.stage[{}].{}\n", i, line);
+    for (const auto& line : lines_of(scene.render_text)) text += "render." + line + "\n";
+
+    std::map<std::string, std::string> values;
+    for (const auto& line : lines_of(text)) {
+        const auto equals = line.find(" = ");
+        values[line.substr(0, equals)] = line.substr(equals + 3);
+    }
+    return values;
+}
+
+// Every key of the full scene: {"terrain", "stage", "grain", ...}.
+std::set<std::string> known_keys(const SceneSpec& scene) {
+    static const std::regex word("[a-z_]+");
+    std::set<std::string> keys;
+    for (const auto& [path, value] : values_of(scene))
+        for (std::sregex_iterator at(path.begin(), path.end(), word), end; at != end;
+             ++at)
+            keys.insert(at->str());
+    return keys;
+}
+
+struct Documented {
+    std::string path, value;
+};
+
+// The rows "| `key` | unit | `default` | ..." under headings that name a table.
+std::vector<Documented> documented_defaults() {
+    static const std::regex heading("##+ `\\[+([a-z_.]+)\\]+`.*");
+    static const std::regex row("\\| `([a-z_]+)` \\|[^|]*\\| `([^`]+)` \\|.*");
+    std::vector<Documented> rows;
+    std::string prefix, stage = "terrain.stage[0]";
+    for (const auto& line : lines_of(manual())) {
+        std::smatch match;
+        if (line.find("method = \"pareidolia\"`") != line.npos)
+            stage = "terrain.stage[1]";
+        if (std::regex_match(line, match, heading)) {
+            prefix = match[1].str() + ".";
+            prefix = std::regex_replace(prefix, std::regex("terrain\\.stage"), stage);
+            prefix =
+                std::regex_replace(prefix, std::regex("(image|camera)\\."), "$1[0].");
+        } else if (std::regex_match(line, match, row)) {
+            rows.push_back({prefix + match[1].str(), match[2].str()});
+        }
+    }
+    return rows;
+}
+
+TEST_F(Docs, EveryKeyIsInTheFullSceneAndInTheManual) {
+    const std::string scene = golden_text("full.toml"), text = manual();
+    for (const auto& key : known_keys(load(scene).at(0))) {
+        EXPECT_NE(text.find('`' + key + '`'), text.npos)
+            << key << " is not in scene-file.md";
+        EXPECT_TRUE(std::regex_search(scene, std::regex("\\b" + key + "\\b")))
+            << key << " is not in full.toml";
+    }
+}
+
+TEST_F(Docs, DefaultsAreTheStructs) {
+    const std::string plain =
+        kLeastScene +
+        "[[terrain.stage]]\nmethod = \"pareidolia\"\nsolver = \"features\"\n" +
+        "[[terrain.stage.image]]\ntarget = \"ridges.svg\"\n" +
+        "[[render.camera]]\nname = \"a\"\n[render.water]\n";
+    // The same defaults, where those keys that need a certain kind are allowed.
+    std::vector<std::string> overrides{"terrain.stage[0].cost.kind=random",
+                                       "terrain.stage[0].peaks.cost.noise.kind=ridged",
+                                       "terrain.stage[0].strokes=ridges.svg",
+                                       "render.camera[0].kind=orbit", ""};
+    const auto expected = values_of(load(plain).at(0));
+    const auto rows = documented_defaults();
+    EXPECT_GT(rows.size(), 45u);
+    for (const auto& [path, value] : rows) {
+        if (path == "terrain.stage[0].peaks.count") continue;  // the least scene has some
+        overrides.back() = path + "=" + value;
+        ASSERT_EQ(complaint(plain, overrides), "") << overrides.back();
+        int compared = 0;
+        for (const auto& [key, written] : values_of(load(plain, overrides).at(0)))
+            if (key == path || key.starts_with(path + "[")) {
+                EXPECT_EQ(written, expected.at(key)) << overrides.back();
+                ++compared;
+            }
+        EXPECT_GT(compared, 0) << path;
+    }
+}
+
+TEST_F(Docs, WorkedExampleReads) {
+    const std::string text = manual(), fence = "```toml\n";
+    const std::size_t begin = text.find(fence) + fence.size();
+    EXPECT_EQ(complaint(text.substr(begin, text.find("```", begin) - begin)), "");
+}
+
+}  // namespace
+}  // namespace cydonia::config

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "config/reader/scene.h"
+#include "field/error.h"
+#include "field/files.h"
+
+namespace cydonia::config {
+
+inline std::filesystem::path golden_folder() {
+    return std::filesystem::path(CYDONIA_SOURCE_DIR) / "tests" / "golden" / "config";
+}
+inline std::string golden_text(const std::string& name) {
+    return read_text(golden_folder() / name);
+}
+
+// A temporary folder with the files that the golden scenes name.
+class SceneFile : public testing::Test {
+  protected:
+    SceneFile() {
+        std::filesystem::create_directories(folder_);
+        for (const char* name : {"ridges.svg", "profile.png"})
+            std::filesystem::copy_file(golden_folder() / name, folder_ / name);
+    }
+    ~SceneFile() override { std::filesystem::remove_all(folder_); }
+
+    Scene load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+        std::ofstream(file_, std::ios::binary) << text;
+        return Scene::load(file_, overrides);
+    }
+    // What load() complains about, without the file's folder; empty when it is content.
+    std::string complaint(const std::string& text,
+                          const std::vector<std::string>& overrides = {}) {
+        try {
+            load(text, overrides);
+            return "";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::kBadRequest);
+            std::string message = error.what();
+            const std::string prefix = folder_.string() + "/";
+            for (auto at = message.find(prefix); at != message.npos;
+                 at = message.find(prefix))
+                message.erase(at, prefix.size());
+            return message;
+        }
+    }
+
+    const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
+                                          ("cydonia_config_" + std::to_string(getpid()));
+    const std::filesystem::path file_ = folder_ / "scene.toml";
+};
+
+// The least scene: what a stage needs, and nothing else.
+inline const std::string kLeastScene =
+    "[[terrain.stage]]\n"
+    "method = \"distance\"\n"
+    "peaks = { count = 3 }\n";
+
+}  // namespace cydonia::config
