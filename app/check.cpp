@@ -12,6 +12,7 @@ namespace cydonia {
 void add_check(CLI::App& app, Action& action) {
     const auto request = std::make_shared<Request>();
     const auto heights = std::make_shared<HeightCheck>();
+    const auto angles = std::make_shared<std::vector<double>>();
     CLI::App* command =
         add_command(app, "check", "Cast the shadows and compare them only",
                     "check --height dem.tif --sun 215,25 --target t.png");
@@ -21,17 +22,24 @@ void add_check(CLI::App& app, Action& action) {
             ->add_option("--height", heights->height, "a height file instead of a scene")
             ->type_name("FILE")
             ->excludes(scene);
-    command->add_option("--sun", heights->sun, "with --height: its sun, in degrees")
-        ->type_name("AZIMUTH,ELEVATION")
-        ->delimiter(',')
-        ->expected(2)
-        ->allow_extra_args(false)
-        ->needs(height);
-    command->add_option("--target", heights->target, "with --height: dark is shadow")
-        ->type_name("IMAGE")
-        ->needs(height);
+    CLI::Option* sun =
+        command->add_option("--sun", *angles, "with --height: its sun, in degrees")
+            ->type_name("AZIMUTH,ELEVATION")
+            ->delimiter(',')
+            ->expected(2)
+            ->allow_extra_args(false)
+            ->needs(height);
+    CLI::Option* target =
+        command->add_option("--target", heights->target, "with --height: dark is shadow")
+            ->type_name("IMAGE")
+            ->needs(height);
+    height->needs(sun)->needs(target);
     add_making_options(*command, *request);
-    command->callback([request, heights, &action] {
+    command->callback([request, heights, angles, &action] {
+        if (angles->size() == 2) {
+            heights->azimuth = angles->at(0);
+            heights->elevation = angles->at(1);
+        }
         action = [request, heights] {
             Console console(style_for_stderr(request->quiet));
             if (!heights->height.empty())

@@ -17,19 +17,15 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-Sun sun_asked(const HeightCheck& asked) {
-    if (asked.sun.size() != 2) {
-        throw bad_request("check --height needs --sun AZIMUTH,ELEVATION in degrees");
-    }
-    const double elevation = asked.sun[1];
-    if (!(elevation > 0.0 && elevation < 90.0)) {
+Sun sun_of(const HeightCheck& asked) {
+    if (!(asked.elevation > 0.0 && asked.elevation < 90.0)) {
         throw bad_request(
             "--sun: an elevation of {} degrees casts no shadow; give one above 0 and "
             "below "
             "90",
-            elevation);
+            asked.elevation);
     }
-    return {radians(asked.sun[0]), radians(elevation)};
+    return {radians(asked.azimuth), radians(asked.elevation)};
 }
 
 std::string stem_word(const fs::path& file) {
@@ -68,8 +64,7 @@ ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& ter
 
 void check_height(const HeightCheck& asked, const Request& request, Progress& progress) {
     const ThreadLimit threads(request.threads);
-    if (asked.target.empty()) throw bad_request("check --height needs --target IMAGE");
-    const Sun sun = sun_asked(asked);
+    const Sun sun = sun_of(asked);
     const Source height = open_source(asked.height), target = open_source(asked.target);
     const fs::path folder = request.output.empty()
                                 ? fs::path("out") / stem_word(asked.height)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "app/request.h"
 #include "field/progress.h"
@@ -12,7 +11,7 @@ namespace cydonia {
 struct HeightCheck {
     std::filesystem::path height;
     std::filesystem::path target;
-    std::vector<double> sun;  // azimuth and elevation in degrees
+    double azimuth = 0.0, elevation = 0.0;  // of the sun, degrees
 };
 
 // Casts and compares; pictures go to <output>/shadow. Of the request it takes output,

@@ -7,7 +7,7 @@ namespace cydonia {
 void add_render(CLI::App& app, Action& action) {
     const auto request = std::make_shared<Request>();
     CLI::App* command = add_command(
-        app, "render", "Make everything: terrain, shadow check, .pov and frames",
+        app, "render", "Make everything: terrain, check, .pov, frames",
         "render scenes/text/scene.toml --quality draft");
     add_scene(*command, *request)->required();
     add_making_options(*command, *request);

@@ -1,0 +1,30 @@
+#include "app/memory.h"
+
+#include <gtest/gtest.h>
+
+#include "field/error.h"
+
+using namespace cydonia;
+
+TEST(Memory, GrowsWithTheCells) {
+    const StageOptions stage = distance::Options{};
+    EXPECT_GT(memory::of_stage(stage, 4096 * 4096), memory::of_stage(stage, 512 * 512));
+    EXPECT_GT(memory::of_trace(512 * 512, 1920 * 1080), memory::of_trace(512 * 512, 1));
+}
+
+TEST(Memory, TheMachineHasSome) {
+    EXPECT_GT(memory::available(), 1'000'000u);
+    EXPECT_LT(memory::available(), 1ull << 50);
+}
+
+TEST(Memory, RefusalNamesBothFigures) {
+    EXPECT_NO_THROW(memory::refuse_unless_it_fits(5, 5));
+    try {
+        memory::refuse_unless_it_fits(2'400'000'000, 310'000'000);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::kFailed);
+        EXPECT_NE(std::string(error.what()).find("2.4 GB"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("310 MB"), std::string::npos);
+    }
+}

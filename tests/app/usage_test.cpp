@@ -1,0 +1,86 @@
+// The command line itself, through the program that was built.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/app/program.h"
+
+using namespace cydonia::test;
+
+namespace {
+
+Outcome ask(const std::vector<std::string>& arguments) {
+    const TemporaryFolder folder;
+    return run({folder.path()}, arguments);
+}
+
+int lines_in(const std::string& text) {
+    return static_cast<int>(std::ranges::count(text, '\n'));
+}
+
+void expect_fits_a_screen(const std::string& help) {
+    EXPECT_LE(lines_in(help), 24) << help;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_NE(help.find("Example:\n  cydonia "), std::string::npos) << help;
+}
+
+void expect_wrong_usage(const Outcome& outcome, const std::string& culprit) {
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(culprit), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--help)"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+}  // namespace
+
+TEST(Usage, HelpFitsAScreenAndEndsWithAnExample) {
+    expect_fits_a_screen(ask({}).out);
+    expect_fits_a_screen(ask({"--help"}).out);
+    for (const char* command : {"render", "synth", "check", "emit", "validate", "info"}) {
+        const Outcome outcome = ask({command, "--help"});
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_NE(outcome.out.find(command), std::string::npos);
+        expect_fits_a_screen(outcome.out);
+    }
+}
+
+TEST(Usage, Version) {
+    const Outcome outcome = ask({"--version"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(outcome.out.starts_with("cydonia 0.")) << outcome.out;
+}
+
+TEST(Usage, UnknownCommand) { expect_wrong_usage(ask({"rendr"}), "'rendr'"); }
+
+TEST(Usage, UnknownOption) {
+    expect_wrong_usage(ask({"render", "a.toml", "--fast"}), "'--fast'");
+}
+
+TEST(Usage, MissingScene) {
+    expect_wrong_usage(ask({"render"}), "SCENE");
+    expect_wrong_usage(ask({"check"}), "--height");
+}
+
+TEST(Usage, UnknownQuality) {
+    expect_wrong_usage(ask({"render", "a.toml", "--quality", "best"}), "best");
+}
+
+TEST(Usage, ThreadsOutOfRange) {
+    expect_wrong_usage(ask({"render", "a.toml", "--threads", "0"}), "--threads");
+    expect_wrong_usage(ask({"render", "a.toml", "--threads", "x"}), "--threads");
+}
+
+TEST(Usage, SetWithoutAValue) {
+    expect_wrong_usage(ask({"render", "a.toml", "--set"}), "--set");
+}
+
+TEST(Usage, HeightNeedsSunAndTarget) {
+    expect_wrong_usage(ask({"check", "--height", "a.tif"}), "--sun");
+    expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1"}), "--sun");
+    expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1,2"}), "--target");
+    expect_wrong_usage(ask({"check", "a.toml", "--height", "a.tif"}), "--height");
+}
