@@ -12,6 +12,41 @@ constexpr std::size_t kMostKeys = 4096;
 
 double frame_of(const TrackKey& key) { return key.frame; }
 
+// One [frame, value], which must come after the keys before it.
+std::optional<TrackKey> track_key(Reading& reading, const Value& value,
+                                  const std::string& path,
+                                  const std::vector<TrackKey>& before) {
+    const auto* pair = elements(reading, value, path, 2, 2);
+    double frame = 0.0;
+    if (!pair ||
+        !read_constant(reading, (*pair)[0], path, frame, Number{from(-1e6, 1e6)}))
+        return std::nullopt;
+    if (before.empty() || frame > before.back().frame)
+        return TrackKey{frame, &(*pair)[1]};
+    reading.mistakes.push_back(
+        {(*pair)[0].at, path,
+         fmt::format("frame {} must come after frame {}", frame, before.back().frame)});
+    return std::nullopt;
+}
+
+// Of a track known to be right, the one or two keys that matter at a frame.
+std::vector<TrackKey> keys_around(const Value& track, double frame) {
+    const auto& array = std::get<Value::Array>(track.find("keys")->data);
+    const auto key_of = [](const Value& value) {
+        const auto& pair = std::get<Value::Array>(value.data);
+        const auto* whole = std::get_if<std::int64_t>(&pair[0].data);
+        return TrackKey{
+            whole ? static_cast<double>(*whole) : std::get<double>(pair[0].data),
+            &pair[1]};
+    };
+    const auto next = std::ranges::upper_bound(
+        array, frame, {}, [&](const Value& value) { return key_of(value).frame; });
+    std::vector<TrackKey> keys;
+    if (next != array.begin()) keys.push_back(key_of(*(next - 1)));
+    if (next != array.end()) keys.push_back(key_of(*next));
+    return keys;
+}
+
 }  // namespace
 
 std::string Record::text() const {
@@ -42,8 +77,8 @@ const Value::Array* elements(Reading& reading, const Value& value,
 
 std::vector<TrackKey> track_keys(Reading& reading, const Value& track,
                                  const std::string& path) {
-    const auto& table = std::get<Value::Table>(track.data);
-    for (const auto& entry : table)
+    if (reading.checked) return keys_around(track, reading.frame);
+    for (const auto& entry : std::get<Value::Table>(track.data))
         if (entry.key != "keys") {
             reading.mistakes.push_back(
                 {entry.at, path, fmt::format("unknown key '{}' beside keys", entry.key)});
@@ -51,24 +86,12 @@ std::vector<TrackKey> track_keys(Reading& reading, const Value& track,
         }
     const std::string keys_path = path + ".keys";
     const auto* array = elements(reading, *track.find("keys"), keys_path, 1, kMostKeys);
-    if (!array) return {};
-
     std::vector<TrackKey> keys;
-    for (std::size_t i = 0; i < array->size(); ++i) {
-        const std::string key_path = element(keys_path, i);
-        const auto* pair = elements(reading, (*array)[i], key_path, 2, 2);
-        if (!pair) return {};
-        double frame = 0.0;
-        if (!read_constant(reading, (*pair)[0], key_path, frame, Number{from(-1e6, 1e6)}))
-            return {};
-        if (!keys.empty() && frame <= keys.back().frame) {
-            reading.mistakes.push_back({(*pair)[0].at, key_path,
-                                        fmt::format("frame {} must come after frame {}",
-                                                    frame, keys.back().frame)});
-            return {};
-        }
-        keys.push_back({frame, &(*pair)[1]});
-        reading.key_frames.insert(frame);
+    for (std::size_t i = 0; array && i < array->size(); ++i) {
+        const auto key = track_key(reading, (*array)[i], element(keys_path, i), keys);
+        if (!key) return {};
+        keys.push_back(*key);
+        reading.key_frames.insert(key->frame);
     }
     return keys;
 }

@@ -17,6 +17,7 @@ namespace cydonia::config {
 struct Reading {
     Files& files;
     double frame = 0.0;
+    bool checked = false;  // the document was read before, without a mistake
     std::vector<Mistake> mistakes = {};
     std::set<double> key_frames = {};  // every frame that some value has a key at
 };
@@ -34,7 +35,8 @@ struct TrackKey {
     double frame;
     const Value* value;
 };
-// In order of frames, at least one; empty after a mistake, which is recorded.
+// In order of frames, at least one; empty after a mistake, which is recorded. All of
+// them in a first reading, those next to the frame in a checked document.
 std::vector<TrackKey> track_keys(Reading& reading, const Value& track,
                                  const std::string& path);
 // `frame` stands between key `index` and the next, at `weight` (0 to 1) of the way.

@@ -99,7 +99,7 @@ Scene Scene::load(const fs::path& file, const std::vector<std::string>& override
 
 SceneSpec Scene::at(double frame) const {
     if (!std::isfinite(frame)) throw bad_request("frame {} is not a number", frame);
-    Reading reading{document_->files, frame};
+    Reading reading{document_->files, frame, true};
     SceneSpec scene = read_scene(document_->root, reading, document_->name);
     for (auto& mistake : reading.mistakes)
         mistake.message += fmt::format(" (at frame {})", frame);
