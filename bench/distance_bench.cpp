@@ -41,11 +41,7 @@ Options text_base() {
 }
 
 Graph graph_for(const Options& options, int samples) {
-    return graph_of(samples, samples, kExtent / samples,
-                    {.mean = options.mean_edge_weight,
-                     .deviation = options.edge_weight_deviation,
-                     .grain = options.grain.in(kExtent)},
-                    1);
+    return graph_of(samples, samples, kExtent / samples, edges_of(options, kExtent), 1);
 }
 
 Field<float> heights(const Options& options, int samples) {

@@ -96,11 +96,6 @@ Features above_sea(const Features& features, double sea_level) {
     return kept;
 }
 
-EdgeOptions edges_of(const Options& options, double width) {
-    return {options.mean_edge_weight, options.edge_weight_deviation,
-            options.grain.in(width), options.metric, options.neighbours};
-}
-
 BlendOptions blend_of(const Options& options, double sea_level, double width) {
     return {sea_level, options.blending_bias, options.sea_level_threshold.in(width),
             options.approximate_threshold, options.mean_edge_weight};

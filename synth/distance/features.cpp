@@ -3,6 +3,7 @@
 #include "synth/distance/features.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "field/error.h"
 #include "field/random.h"
@@ -11,17 +12,35 @@
 namespace cydonia::distance {
 namespace {
 
-using FeatureList = std::vector<std::vector<Start>>;
+// A generator on the ground: metres from the north-west corner.
+struct Place {
+    double x, y;
+    float cost;
+};
+using FeatureList = std::vector<std::vector<Place>>;
+
+Place centre_of(const Graph& graph, int node) {
+    return {(graph.x_of(node) + 0.5) * graph.spacing,
+            (graph.y_of(node) + 0.5) * graph.spacing, 0.0f};
+}
+
+int node_at(const Graph& graph, const Place& place) {
+    const auto cell = [&](double metres, int cells) {
+        return std::clamp(static_cast<int>(metres / graph.spacing), 0, cells - 1);
+    };
+    return graph.node(cell(place.x, graph.width), cell(place.y, graph.height));
+}
 
 std::uint64_t draw(std::uint64_t seed, const char* purpose, int index) {
     return hash_of({seed, key(purpose), static_cast<std::uint64_t>(index)});
 }
 
 // The same place on the ground at every resolution.
-int random_node(const Graph& graph, std::uint64_t seed, const char* purpose, int index) {
+Place random_place(const Graph& graph, std::uint64_t seed, const char* purpose,
+                   int index) {
     const std::uint64_t h = draw(seed, purpose, index);
-    return graph.node(static_cast<int>(unit(mix(h ^ 1)) * graph.width),
-                      static_cast<int>(unit(mix(h ^ 2)) * graph.height));
+    return {unit(mix(h ^ 1)) * graph.width * graph.spacing,
+            unit(mix(h ^ 2)) * graph.height * graph.spacing, 0.0f};
 }
 
 // The cells of the piece of one colour that holds `cell`, which are erased.
@@ -48,9 +67,10 @@ FeatureList stroke_features(const Graph& graph, Field<Rgba8> strokes) {
         if (strokes[cell][3] == 0) continue;
         std::vector<int> piece = taken_piece(strokes, cell);
         std::sort(piece.begin(), piece.end());
-        std::vector<Start>& starts = features.emplace_back();
+        std::vector<Place>& places = features.emplace_back();
         for (int c : piece) {
-            starts.push_back({graph.node(c % graph.width, c / graph.width), 0.0f});
+            places.push_back(
+                centre_of(graph, graph.node(c % graph.width, c / graph.width)));
         }
     }
     return features;
@@ -59,7 +79,7 @@ FeatureList stroke_features(const Graph& graph, Field<Rgba8> strokes) {
 FeatureList peak_features(const Graph& graph, int count, std::uint64_t seed) {
     FeatureList features;
     for (int i = 0; i < count; ++i) {
-        features.push_back({{random_node(graph, seed, "peak", i), 0.0f}});
+        features.push_back({random_place(graph, seed, "peak", i)});
     }
     return features;
 }
@@ -72,13 +92,11 @@ void set_costs(FeatureList& features, const CostRule& rule, const Graph& graph,
     const double low = rule.range[0].in(width), high = rule.range[1].in(width);
     for (int f = 0; f < static_cast<int>(features.size()); ++f) {
         const double random = low + (high - low) * unit(draw(seed, purpose, f));
-        for (Start& start : features[f]) {
-            const double x = (graph.x_of(start.node) + 0.5) / graph.width;
-            const double y = (graph.y_of(start.node) + 0.5) / graph.width;
-            start.cost = static_cast<float>(
+        for (Place& place : features[f]) {
+            place.cost = static_cast<float>(
                 rule.kind == CostRule::Kind::kRandom
                     ? random
-                    : scale * noise_at(rule.noise, x, y,
+                    : scale * noise_at(rule.noise, place.x / width, place.y / width,
                                        hash_of({seed, key("generator cost")})));
         }
     }
@@ -88,45 +106,82 @@ void shift_noise_to_zero(std::span<FeatureList* const> noisy) {
     float least = kUnreached;
     for (const FeatureList* list : noisy) {
         for (const auto& feature : *list) {
-            for (const Start& start : feature) least = std::min(least, start.cost);
+            for (const Place& place : feature) least = std::min(least, place.cost);
         }
     }
     for (FeatureList* list : noisy) {
         for (auto& feature : *list) {
-            for (Start& start : feature) start.cost -= least;
+            for (Place& place : feature) place.cost -= least;
         }
     }
 }
 
-// Section 4.1: from random nodes back along the least-cost path to its generator, whose
+// Ridges grow on one graph at every resolution, a quarter of the grain fine, or a path
+// could take another way round on another grid.
+Graph ridge_graph(const Options& options, const Graph& graph, std::uint64_t seed) {
+    constexpr double kFewest = 64, kMost = 1024;  // nodes along the longer side
+    const double width = graph.width * graph.spacing;
+    const double longer = std::max(graph.width, graph.height) * graph.spacing;
+    const EdgeOptions edges = edges_of(options, width);
+    const double spacing =
+        longer / std::clamp(std::round(4.0 * longer / edges.grain), kFewest, kMost);
+    const auto nodes = [&](int cells) {
+        return std::max(1, static_cast<int>(std::round(cells * graph.spacing / spacing)));
+    };
+    if (nodes(graph.width) == graph.width && nodes(graph.height) == graph.height) {
+        return graph;
+    }
+    return graph_of(nodes(graph.width), nodes(graph.height), spacing, edges, seed);
+}
+
+// Section 4.1: from random places back along the least-cost path to its generator, whose
 // feature the path joins; its cost is a share of the pass' (section 5.4).
 void grow_ridges(FeatureList& features, const RidgeOptions& options, const Graph& graph,
-                 std::uint64_t seed) {
+                 double spacing, std::uint64_t seed) {
     std::vector<Start> starts;
     std::vector<int> feature_of;
     for (int f = 0; f < static_cast<int>(features.size()); ++f) {
-        starts.insert(starts.end(), features[f].begin(), features[f].end());
-        feature_of.resize(starts.size(), f);
+        for (const Place& place : features[f]) {
+            starts.push_back({node_at(graph, place), place.cost});
+            feature_of.push_back(f);
+        }
     }
     LeastCost paths(graph);
     paths.spread(starts, RawGrowth{starts});
-    const auto share = static_cast<float>(options.cost_factor);
+    const auto place_of = [&](int node) {
+        Place place = centre_of(graph, node);
+        place.cost = static_cast<float>(options.cost_factor) * paths[node].cost;
+        return place;
+    };
+    // Where the land's grid is finer, places between the nodes of a path close the gaps.
+    const int parts = static_cast<int>(std::ceil(graph.spacing / spacing));
     std::vector<bool> on_ridge(static_cast<std::size_t>(graph.nodes()));
     for (int i = 0; i < options.count; ++i) {
         // Paths of one pass that meet go on as one.
-        for (int node = random_node(graph, seed, "ridge", i);
+        for (int node = node_at(graph, random_place(graph, seed, "ridge", i));
              node >= 0 && !on_ridge[node]; node = paths[node].from) {
             on_ridge[node] = true;
-            const Label& label = paths[node];
-            features[feature_of[label.origin]].push_back({node, share * label.cost});
+            std::vector<Place>& feature = features[feature_of[paths[node].origin]];
+            const Place here = place_of(node);
+            feature.push_back(here);
+            if (paths[node].from < 0) break;
+            const Place next = place_of(paths[node].from);
+            for (int part = 1; part < parts; ++part) {
+                const double t = 1.0 * part / parts;
+                feature.push_back(
+                    {std::lerp(here.x, next.x, t), std::lerp(here.y, next.y, t),
+                     std::lerp(here.cost, next.cost, static_cast<float>(t))});
+            }
         }
     }
 }
 
-Features flattened(const FeatureList& list) {
+Features flattened(const FeatureList& list, const Graph& graph) {
     Features features;
-    for (const auto& starts : list) {
-        features.starts.insert(features.starts.end(), starts.begin(), starts.end());
+    for (const auto& places : list) {
+        for (const Place& place : places) {
+            features.starts.push_back({node_at(graph, place), place.cost});
+        }
         features.first.push_back(static_cast<int>(features.starts.size()));
     }
     return features;
@@ -153,8 +208,11 @@ Features features_of(const Options& options, const Graph& graph, std::uint64_t s
 
     FeatureList features = std::move(strokes);
     features.insert(features.end(), peaks.begin(), peaks.end());
-    if (options.ridges.count > 0) grow_ridges(features, options.ridges, graph, seed);
-    return flattened(features);
+    if (options.ridges.count > 0) {
+        grow_ridges(features, options.ridges, ridge_graph(options, graph, seed),
+                    graph.spacing, seed);
+    }
+    return flattened(features, graph);
 }
 
 }  // namespace cydonia::distance

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "field/error.h"
 #include "field/parallel.h"
@@ -41,6 +42,61 @@ float uniform_from_normal(float z) {
 }
 
 float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
+
+// Normal numbers of variance 1 everywhere: value noise on a lattice turned against the
+// graph, so that its squares do not show, divided by its deviation at the point. Keeps
+// the lattice cell it was last asked about: neighbours in a row mostly share it.
+class NormalNoise {
+  public:
+    NormalNoise(double wavelength, std::uint64_t seed)
+        : per_metre_(2.0 / wavelength), seed_(seed) {}
+
+    float operator()(double x, double y) {
+        constexpr double kCos = 0.8253356149096783, kSin = 0.5646424733950354;
+        const double u = (kCos * x + kSin * y) * per_metre_;
+        const double v = (kCos * y - kSin * x) * per_metre_;
+        const double u0 = std::floor(u), v0 = std::floor(v);
+        enter(static_cast<std::int64_t>(u0), static_cast<std::int64_t>(v0));
+        const float s = smooth(static_cast<float>(u - u0)), s1 = 1.0f - s;
+        const float t = smooth(static_cast<float>(v - v0)), t1 = 1.0f - t;
+        const float sum = t1 * (s1 * corners_[0] + s * corners_[1]) +
+                          t * (s1 * corners_[2] + s * corners_[3]);
+        return sum / std::sqrt((s * s + s1 * s1) * (t * t + t1 * t1));
+    }
+
+  private:
+    void enter(std::int64_t i, std::int64_t j) {
+        if (i == i_ && j == j_) return;
+        i_ = i;
+        j_ = j;
+        const std::uint64_t north = mix(seed_ ^ static_cast<std::uint64_t>(j));
+        const std::uint64_t south = mix(seed_ ^ static_cast<std::uint64_t>(j + 1));
+        corners_ = {lattice_normal(north, i), lattice_normal(north, i + 1),
+                    lattice_normal(south, i), lattice_normal(south, i + 1)};
+    }
+
+    double per_metre_;
+    std::uint64_t seed_;
+    std::int64_t i_ = std::numeric_limits<std::int64_t>::min(), j_ = 0;
+    std::array<float, 4> corners_{};
+};
+
+// The random part of eq. 3.3 at a point: uniform in [-1, 1]; waves of `grain` metres and
+// twice and four times as long, in equal parts.
+class GrainNoise {
+  public:
+    GrainNoise(double grain, std::uint64_t seed)
+        : octaves_{NormalNoise(grain, mix(seed)), NormalNoise(2.0 * grain, mix(seed + 1)),
+                   NormalNoise(4.0 * grain, mix(seed + 2))} {}
+
+    float operator()(double x, double y) {
+        const float sum = octaves_[0](x, y) + octaves_[1](x, y) + octaves_[2](x, y);
+        return uniform_from_normal(sum * 0.57735027f);
+    }
+
+  private:
+    std::array<NormalNoise, 3> octaves_;
+};
 
 void check(const EdgeOptions& options) {
     if (!(options.mean > 0.0)) {
@@ -96,10 +152,10 @@ struct Samples {
         const double fine = graph.spacing / fineness;
         const double west = (0.5 - margin) * graph.spacing;
         const double north = (first_row + 0.5) * graph.spacing;
+        GrainNoise noise(grain, seed);
         for (int y = 0; y < values.height(); ++y) {
             for (int x = 0; x < values.width(); ++x) {
-                values(x, y) =
-                    grain_noise(west + fine * x, north + fine * y, grain, seed);
+                values(x, y) = noise(west + fine * x, north + fine * y);
             }
         }
     }
@@ -118,24 +174,13 @@ struct Samples {
 
 }  // namespace
 
-float grain_noise(double x, double y, double grain, std::uint64_t seed) {
-    // Value noise on a lattice turned against the graph, so that its squares do not show.
-    constexpr double kCos = 0.8253356149096783, kSin = 0.5646424733950354;
-    const double u = (kCos * x + kSin * y) * (2.0 / grain);
-    const double v = (kCos * y - kSin * x) * (2.0 / grain);
-    const double u0 = std::floor(u), v0 = std::floor(v);
-    const auto i = static_cast<std::int64_t>(u0), j = static_cast<std::int64_t>(v0);
-    const std::uint64_t north = mix(seed ^ static_cast<std::uint64_t>(j));
-    const std::uint64_t south = mix(seed ^ static_cast<std::uint64_t>(j + 1));
+EdgeOptions edges_of(const Options& options, double width) {
+    return {options.mean_edge_weight, options.edge_weight_deviation,
+            options.grain.in(width), options.metric, options.neighbours};
+}
 
-    // Interpolated normal numbers divided by their deviation are normal everywhere.
-    const float s = smooth(static_cast<float>(u - u0)), s1 = 1.0f - s;
-    const float t = smooth(static_cast<float>(v - v0)), t1 = 1.0f - t;
-    const float sum =
-        t1 * (s1 * lattice_normal(north, i) + s * lattice_normal(north, i + 1)) +
-        t * (s1 * lattice_normal(south, i) + s * lattice_normal(south, i + 1));
-    const float variance = (s * s + s1 * s1) * (t * t + t1 * t1);
-    return uniform_from_normal(sum / std::sqrt(variance));
+float grain_noise(double x, double y, double grain, std::uint64_t seed) {
+    return GrainNoise(grain, seed)(x, y);
 }
 
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,

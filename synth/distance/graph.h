@@ -13,10 +13,13 @@ namespace cydonia::distance {
 struct EdgeOptions {
     double mean = 2.0;       // mu_w, metres of cost per metre
     double deviation = 1.0;  // r, 0 <= r < mean
-    double grain = 40.0;     // wavelength of the random part, metres
+    double grain = 40.0;     // shortest wavelength of the random part, metres
     Options::Metric metric = Options::Metric::kEuclidean;
     int neighbours = 8;  // 8, or 16 (kEuclidean only)
 };
+
+// Of a terrain `width` metres wide.
+EdgeOptions edges_of(const Options& options, double width);
 
 // The 8- or 16-connected grid of a height field's samples. Nodes lie in a margin of nodes
 // that no path enters, so that the hot loop needs no bounds check.
@@ -56,7 +59,7 @@ struct Graph {
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
                std::uint64_t seed);
 
-// The random part at a point: uniform in [-1, 1], features `grain` metres apart.
+// v at a point.
 float grain_noise(double x, double y, double grain, std::uint64_t seed);
 
 }  // namespace cydonia::distance
