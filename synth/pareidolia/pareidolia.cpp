@@ -1,7 +1,62 @@
 #include "synth/pareidolia/pareidolia.h"
+
+#include <utility>
+
 #include "field/error.h"
+#include "synth/pareidolia/features.h"
+#include "synth/pareidolia/light_frame.h"
+#include "synth/pareidolia/target.h"
+
 namespace cydonia::pareidolia {
-Terrain run(const Options&, const Terrain&, const Context&) {
-    throw failure("not built yet");
+namespace {
+
+void check_options(const Options& options) {
+    if (options.images.size() != 1)
+        throw bad_request(
+            "solver = \"features\" takes exactly one image, this stage has {}",
+            options.images.size());
+    if (!(options.edge_weight_deviation >= 0.0 &&
+          options.edge_weight_deviation < options.mean_edge_weight))
+        throw bad_request(
+            "edge_weight_deviation (r = {}) must be at least 0 and below "
+            "mean_edge_weight (mu_w = {})",
+            options.edge_weight_deviation, options.mean_edge_weight);
+    const double elevation = options.images.front().elevation;
+    if (!(elevation > 0.0 && elevation < radians(89.9)))
+        throw bad_request(
+            "sun: elevation {} degrees casts no shadow: above 0 and below 90",
+            degrees(elevation));
 }
+
+ShadowImage shadow_image(const ImageOptions& options, const Terrain& terrain,
+                         Progress& progress) {
+    ShadowImage image;
+    image.name = options.target.path.stem().string();
+    image.target = shadow_target(options.target, terrain.heights.width(),
+                                 terrain.heights.height(), progress);
+    image.sun.elevation = options.elevation;
+    image.min_iou = options.min_iou;
+    if (options.azimuth) {
+        image.sun.azimuth = *options.azimuth;
+    } else {
+        image.sun.azimuth = shortest_azimuth(image.target);
+        progress.note(
+            fmt::format("{}: the sun stands at azimuth {:.0f} degrees, where the "
+                        "longest shadow is shortest",
+                        options.target.name(), degrees(image.sun.azimuth)));
+    }
+    return image;
+}
+
+}  // namespace
+
+Terrain run(const Options& options, const Terrain& terrain, const Context& context) {
+    check_options(options);
+    Terrain result = terrain;
+    ShadowImage image = shadow_image(options.images.front(), terrain, *context.progress);
+    result.heights = features(options, terrain, image, context);
+    result.shadows.push_back(std::move(image));
+    return result;
+}
+
 }  // namespace cydonia::pareidolia

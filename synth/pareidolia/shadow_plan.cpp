@@ -1,0 +1,81 @@
+// Rusnell 2009, section 5.3, steps 3, 5 and 6 of Algorithm 4, and section 5.3.1.
+#include "synth/pareidolia/shadow_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cydonia::pareidolia {
+namespace {
+
+// Share of the way down to the ground that relief may take under a line of light.
+constexpr double kRelief = 0.5;
+
+float sample(const Field<float>& field, GridPoint p) {
+    const double x = std::clamp(p.x, 0.0, field.width() - 1.0);
+    const double y = std::clamp(p.y, 0.0, field.height() - 1.0);
+    const int i = std::min(static_cast<int>(x), field.width() - 2);
+    const int j = std::min(static_cast<int>(y), field.height() - 2);
+    const double u = x - i, v = y - j;
+    return static_cast<float>((1 - v) * ((1 - u) * field(i, j) + u * field(i + 1, j)) +
+                              v * ((1 - u) * field(i, j + 1) + u * field(i + 1, j + 1)));
+}
+
+}  // namespace
+
+Cell cell_of(GridPoint p) {
+    return {static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))};
+}
+
+ShadowPlan shadow_plan(const ShadowImage& image, double spacing) {
+    constexpr int kDensity = 4;
+    const LightFrame frame = light_frame(image.target.width(), image.target.height(),
+                                         image.sun.azimuth, kDensity);
+    return {&image.target, std::tan(image.sun.elevation) * spacing, frame,
+            runs_of(rotated(image.target, frame))};
+}
+
+std::vector<float> crest_heights(const ShadowPlan& plan, const Field<float>& ground) {
+    std::vector<float> crests;
+    crests.reserve(plan.runs.size());
+    for (const Run& run : plan.runs) {
+        const double over = plan.rise * plan.length(run);
+        crests.push_back(sample(ground, plan.end(run)) + static_cast<float>(over));
+    }
+    return crests;
+}
+
+Field<float> primary_features(const ShadowPlan& plan, const std::vector<float>& crests) {
+    Field<float> heights(plan.width(), plan.height(), kNowhere);
+    for (std::size_t i = 0; i < crests.size(); ++i) {
+        const Cell c = cell_of(plan.start(plan.runs[i]));
+        if (heights.contains(c.x, c.y))
+            heights(c.x, c.y) = std::max(heights(c.x, c.y), crests[i]);
+    }
+    return heights;
+}
+
+Field<float> shadow_ends(const ShadowPlan& plan, const Field<float>& ground) {
+    Field<float> heights(plan.width(), plan.height(), kNowhere);
+    for (const Run& run : plan.runs) {
+        const Cell c = cell_of(plan.end(run));
+        if (heights.contains(c.x, c.y)) heights(c.x, c.y) = ground(c.x, c.y);
+    }
+    return heights;
+}
+
+Field<float> shadow_ceiling(const ShadowPlan& plan, const std::vector<float>& crests,
+                            const Field<float>& relief) {
+    Field<float> ceiling(plan.width(), plan.height(), -kNowhere);
+    for (std::size_t i = 0; i < crests.size(); ++i) {
+        const double length = plan.length(plan.runs[i]);
+        each_cell(plan, plan.runs[i], [&](Cell c, double behind) {
+            const double room = std::max(0.0, std::min(behind, length - behind));
+            const double drop = behind + kRelief * relief(c.x, c.y) * room;
+            const float height = crests[i] - static_cast<float>(plan.rise * drop);
+            ceiling(c.x, c.y) = std::min(ceiling(c.x, c.y), height);
+        });
+    }
+    return ceiling;
+}
+
+}  // namespace cydonia::pareidolia

@@ -1,0 +1,44 @@
+#include "synth/pareidolia/target.h"
+
+#include <algorithm>
+
+#include "field/error.h"
+#include "field/image.h"
+#include "field/strokes.h"
+
+namespace cydonia::pareidolia {
+namespace {
+
+Field<float> stretched(const Source& source, int width, int height, Progress& progress) {
+    if (source.path.extension() == ".svg") return read_grey_at(source, width, height);
+    const Field<float> image = read_grey(source);
+    if (image.width() == width && image.height() == height) return image;
+    progress.note(fmt::format("{}: {}x{} pixels stretched over {}x{} cells",
+                              source.name(), image.width(), image.height(), width,
+                              height));
+    return resized(image, width, height);
+}
+
+}  // namespace
+
+Field<std::uint8_t> shadow_target(const Source& source, int width, int height,
+                                  Progress& progress) {
+    const Field<float> grey = stretched(source, width, height, progress);
+    Field<std::uint8_t> target(width, height);
+    std::transform(grey.begin(), grey.end(), target.begin(),
+                   [](float g) { return static_cast<std::uint8_t>(g < 0.5f); });
+    const auto dark = std::count(target.begin(), target.end(), 1);
+    if (dark == 0)
+        throw bad_request(
+            "{}: no shadow in the target: draw what should be dark in black on white, at "
+            "least a cell (1/{} of its width) thick",
+            source.name(), width);
+    if (dark == static_cast<std::ptrdiff_t>(target.size()))
+        throw bad_request(
+            "{}: the target is all shadow: leave light ground around the image for its "
+            "casters",
+            source.name());
+    return target;
+}
+
+}  // namespace cydonia::pareidolia
