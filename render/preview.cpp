@@ -58,10 +58,10 @@ struct Lamp {
 };
 
 const std::array<Lamp, 4> kLamps{{
-    {direction_to({radians(315.0), radians(40.0)}), 0.65},
-    {direction_to({radians(265.0), radians(50.0)}), 0.15},
-    {direction_to({radians(5.0), radians(50.0)}), 0.10},
-    {{0.0, 0.0, 1.0}, 0.25},
+    {direction_to({radians(315.0), radians(40.0)}), 0.60},
+    {direction_to({radians(265.0), radians(50.0)}), 0.12},
+    {direction_to({radians(5.0), radians(50.0)}), 0.08},
+    {{0.0, 0.0, 1.0}, 0.20},
 }};
 
 // Low, middle and high land.
@@ -115,7 +115,7 @@ Field<Rgb8> hillshade(const Field<float>& heights, double spacing, int longest) 
     for (std::size_t i = 0; i < land.size(); ++i)
         for (int c = 0; c < 3; ++c)
             result[i][c] = static_cast<std::uint8_t>(std::clamp(
-                tint((land[i] - base) / range, c) * (0.25 + shade[i]), 0.0, 255.0));
+                tint((land[i] - base) / range, c) * (0.15 + shade[i]), 0.0, 255.0));
     return result;
 }
 

@@ -41,16 +41,18 @@ struct Stop {
     float at;
 };
 
-// The stops of all sample rows or columns along an axis of `count` cells. A sample on a
-// line between two squares belongs to the later one if `forward`.
+// The stops of all sample rows or columns along an axis of `count` cells, in whole parts
+// of a cell, so that lines are met exactly. A sample on a line between two squares
+// belongs to the later one if `forward`.
 std::vector<Stop> stops(int count, int rays, bool forward) {
+    const int cell = 2 * rays, last = cell * (count - 1);
     std::vector<Stop> result;
     result.reserve(static_cast<std::size_t>(count) * rays);
     for (int i = 0; i < count * rays; ++i) {
-        const double at = std::clamp((i + 0.5) / rays - 0.5, 0.0, count - 1.0);
-        const double cell = forward ? std::floor(at) : std::ceil(at) - 1.0;
-        const int kept = std::clamp(static_cast<int>(cell), 0, count - 2);
-        result.push_back({kept, static_cast<float>(at - kept)});
+        const int at = std::clamp(2 * i + 1 - rays, 0, last);
+        const int square = std::clamp((forward ? at : at - 1) / cell, 0, count - 2);
+        result.push_back(
+            {square, static_cast<float>(at - square * cell) / static_cast<float>(cell)});
     }
     return result;
 }
@@ -182,8 +184,11 @@ Start Caster::Scene::start(Stop column, Stop line, Vertex sun) const {
     const Vertex* south = row(line.cell + 1) + column.cell;
     const float nw = north[0].z, ne = north[1].z, sw = south[0].z, se = south[1].z;
     const float u = column.at, v = line.at;
-    // The square's NW-SE diagonal is u = v; samples on it belong to the sunward triangle.
-    const bool north_east = u > v || (u == v && sun.x + sun.y > 0.0f);
+    // The square's NW-SE diagonal is u = v. Samples on it, half of those at 2x2 a cell,
+    // belong to the north-east as in POV-Ray; corners, as all other lines, to the sun's
+    // side, so that crests are lit.
+    const bool corner = u == 0.0f || u == 1.0f;
+    const bool north_east = u > v || (u == v && (!corner || sun.x + sun.y > 0.0f));
     const float rise_u = north_east ? ne - nw : se - sw;
     const float rise_v = north_east ? se - ne : sw - nw;
     return {{north->x + u, north->y - v, nw + u * rise_u + v * rise_v + lift},

@@ -125,10 +125,19 @@ TEST(Caster, SquaresAreSplitFromNorthWestToSouthEast) {
     EXPECT_EQ(behind(saddle, 135.0, -4, -4), 0);  // south-east
 }
 
+// The march at a sample's place, which a hair moves off the diagonal to the north-east.
+double cover_at(const Field<float>& heights, const Sun& sun, int rays, int x, int y) {
+    const bool corner = (2 * x + 1 - rays) % (2 * rays) == 0;
+    const double hair = (x - y) % rays == 0 && !corner ? 1e-6 : 0.0;
+    return cover(heights, sun, (x + 0.5) / rays - 0.5 + hair,
+                 (y + 0.5) / rays - 0.5 - hair);
+}
+
 TEST(Caster, AgreesWithASlowMarchOverTheSameTriangles) {
     const Field<float> heights = fractal(96, 80, 6.0f, 7);
     const Caster caster(heights, 1.0);
     std::size_t samples = 0, wrong = 0, dark = 0;
+    double worst = 0.0;
     for (const double elevation : {2.0, 15.0, 40.0})
         for (const double azimuth : {0.0, 33.0, 90.0, 135.0, 200.0, 251.0, 315.0})
             for (const int rays : {1, 2, 3}) {
@@ -136,15 +145,15 @@ TEST(Caster, AgreesWithASlowMarchOverTheSameTriangles) {
                 const Mask mask = caster.shadow(sun, rays);
                 for (int y = rays; y < mask.height() - rays; ++y)
                     for (int x = rays; x < mask.width() - rays; ++x) {
-                        const double above = cover(heights, sun, (x + 0.5) / rays - 0.5,
-                                                   (y + 0.5) / rays - 0.5);
+                        const double above = cover_at(heights, sun, rays, x, y);
                         ++samples;
                         dark += mask(x, y);
                         if ((above > 1e-9) == (mask(x, y) == 1)) continue;
                         ++wrong;
-                        EXPECT_LT(std::abs(above), 1e-4) << x << ", " << y;
+                        worst = std::max(worst, std::abs(above));
                     }
             }
+    EXPECT_LT(worst, 1e-4);  // crests that the ray's start is lifted over
     EXPECT_LE(static_cast<double>(wrong), 1e-4 * static_cast<double>(samples));
     EXPECT_GT(dark, samples / 10);
     EXPECT_LT(dark, samples * 9 / 10);
