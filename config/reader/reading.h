@@ -26,7 +26,7 @@ struct Reading {
 struct Record {
     std::vector<std::string> lines;
     std::vector<Source> sources;
-    std::string text() const;  // sorted: the order of keys does not matter
+    std::string text() const;  // sorted: no order matters, not even the readers'
     void append(const std::string& prefix, const Record& part);
 };
 

@@ -49,7 +49,8 @@ TEST_F(Broken, NestsTooDeep) {
           "x = " + repeated("[", 200000), "x = " + repeated("{a=", 200000),
           "x = [" + repeated("{a.a.a.a.a.a.a.a=[", 10000),
           repeated("\"b c\".", 100000) + "a = 1\n",
-          "s = \"\"\"quotes\"\"\"\"\"\nt = ''''a'''''\n" + dots + " = \"\"\"1\"\"\"\n",
+          "x = { s = \"\"\"quotes\"\"\"\", " + dots + " = 1 }\n",
+          "x = { s = '''a'''', " + dots + " = 1 }\n",
           "s = \"\"\"a\\\"\"\"\"\n" + dots + " = 1\n", "# it's\n" + dots + " = 1\n"})
         EXPECT_NE(complaint(deep).find("nested too deeply"), std::string::npos)
             << deep.substr(0, 60);

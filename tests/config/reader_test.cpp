@@ -134,6 +134,8 @@ TEST_F(Reader, CanonicalTextIgnoresOrderAndComments) {
     EXPECT_EQ(a.stages[0].text, b.stages[0].text);
     EXPECT_EQ(a.render_text, b.render_text);
     EXPECT_EQ(a.stages[0].text.find(".svg"), std::string::npos);
+    EXPECT_LT(a.stages[0].text.find("\ngrain"), a.stages[0].text.find("\nmethod"));
+    EXPECT_LT(a.stages[0].text.find("\nmethod"), a.stages[0].text.find("\nstrokes"));
 }
 
 TEST_F(Reader, CanonicalTextKnowsFilesByContent) {
