@@ -2,7 +2,4 @@
 #include "field/error.h"
 namespace cydonia {
 Terrain read_dem(const Source&, std::string*) { throw failure("not built yet"); }
-void write_geotiff(const std::filesystem::path&, const Terrain&) {
-    throw failure("not built yet");
-}
 }  // namespace cydonia

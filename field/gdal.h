@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cpl_error.h>
+#include <gdal.h>
+#include <gdal_priv.h>
+
+#include <memory>
+#include <string>
+
+namespace cydonia {
+
+// Internal to field/: GDAL ready for use and silent while this stands. What it would have
+// printed becomes part of our messages.
+class QuietGdal {
+  public:
+    QuietGdal() {
+        static const bool registered = (GDALAllRegister(), true);
+        static_cast<void>(registered);
+        CPLPushErrorHandler(CPLQuietErrorHandler);
+        CPLErrorReset();
+    }
+    ~QuietGdal() { CPLPopErrorHandler(); }
+    QuietGdal(const QuietGdal&) = delete;
+    QuietGdal& operator=(const QuietGdal&) = delete;
+
+    static std::string message() {
+        const std::string text = CPLGetLastErrorMsg();
+        return text.empty() ? "no reason given" : text;
+    }
+};
+
+struct CloseDataset {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+}  // namespace cydonia
