@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/pipeline/memory.h"
 #include "field/dem.h"
 #include "field/error.h"
 #include "field/files.h"
@@ -68,17 +69,40 @@ std::string image_text(const fs::path& file, const OIIO::ImageSpec& spec) {
     return text;
 }
 
-std::string manifest_text(const fs::path& file) {
-    const Json json = Json::parse(read_text(file), nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || !json.contains("figures")) {
-        throw bad_request("{}: JSON, but not a manifest of Cydonia", file.string());
+// "iou 0.931, precision 0.96" of a step's figures, however deep.
+std::string figures_text(const Json& figures) {
+    if (!figures.is_structured()) return figures.dump();
+    std::string text;
+    for (const auto& [name, value] : figures.items()) {
+        if (!text.empty()) text += ", ";
+        text +=
+            figures.is_object() ? name + " " + figures_text(value) : figures_text(value);
     }
-    std::string text = fmt::format("{}: manifest\n", file.string());
-    for (const char* key : {"title", "scene", "seed", "quality", "versions", "figures"}) {
-        if (json.contains(key)) text += fmt::format("  {}: {}\n", key, json[key].dump());
+    return text;
+}
+
+std::string timings_text(const Json& timings) {
+    std::string text;
+    for (const auto& [step, seconds] : timings.value("seconds", Json::object()).items()) {
+        text += fmt::format("  {:<28} {:8.2f} s\n", step, seconds.get<double>());
     }
-    return text + fmt::format("  outputs: {} files\n",
-                              json.value("outputs", Json::array()).size());
+    return text + fmt::format("  {:<28} {:>10}\n", "peak memory",
+                              bytes_text(timings.value("peak_memory", std::uint64_t{0})));
+}
+
+std::string manifest_text(const fs::path& file) try {
+    const Json json = Json::parse(read_text(file));
+    std::string text =
+        fmt::format("{}: manifest of {}, {}\n", file.string(),
+                    json.at("scene").get<std::string>(), json.at("title").dump());
+    text += fmt::format("  seed {}, {} quality, {} outputs\n", json.at("seed").dump(),
+                        json.at("quality").get<std::string>(), json.at("outputs").size());
+    for (const auto& [step, figures] : json.at("figures").items()) {
+        text += fmt::format("  {}: {}\n", step, figures_text(figures));
+    }
+    return text + timings_text(json.at("timings"));
+} catch (const Json::exception&) {
+    throw bad_request("{}: not a manifest of Cydonia", file.string());
 }
 
 // One channel is heights, as terrain.exr; an image has colours.

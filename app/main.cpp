@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <new>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/interrupt.h"
 #include "field/progress.h"
 

@@ -1,4 +1,4 @@
-#include "app/cache.h"
+#include "app/pipeline/cache.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/memory.h"
+#include "app/pipeline/memory.h"
 
 #include <gtest/gtest.h>
 

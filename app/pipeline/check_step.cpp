@@ -3,57 +3,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/cache.h"
-#include "app/check.h"
-#include "app/job.h"
-#include "app/memory.h"
+#include "app/pipeline/cache.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/memory.h"
+#include "app/pipeline/shadow_report.h"
 
 namespace fs = std::filesystem;
 
 namespace cydonia {
-
-Json json_of(const render::ShadowReport& report) {
-    return {{"name", report.name},           {"sun", json_of(report.sun)},
-            {"iou", report.score.iou},       {"precision", report.score.precision},
-            {"recall", report.score.recall}, {"min_iou", report.min_iou}};
-}
-
-render::ShadowReport report_of(const Json& json) {
-    render::ShadowReport report;
-    report.name = json.at("name");
-    report.sun = sun_of(json.at("sun"));
-    report.score = {json.at("iou"), json.at("precision"), json.at("recall")};
-    report.min_iou = json.at("min_iou");
-    return report;
-}
-
-Json json_of(const Sun& sun) {
-    return {{"azimuth", degrees(sun.azimuth)}, {"elevation", degrees(sun.elevation)}};
-}
-
-Sun sun_of(const Json& json) {
-    return {radians(json.at("azimuth")), radians(json.at("elevation"))};
-}
-
-std::string score_text(const render::ShadowReport& report) {
-    return fmt::format(
-        "{}: IoU {:.3f} (at least {:.2f}), precision {:.3f}, recall {:.3f}", report.name,
-        report.score.iou, report.min_iou, report.score.precision, report.score.recall);
-}
-
-void stop_when_short(const std::vector<render::ShadowReport>& reports,
-                     const fs::path& folder) {
-    std::string message;
-    for (const render::ShadowReport& report : reports) {
-        if (report.passed()) continue;
-        message += fmt::format("{}\n{}\n", score_text(report), render::advice(report));
-    }
-    if (message.empty()) return;
-    throw Error(
-        ExitCode::kCheckFellShort,
-        fmt::format("the shadows fall short of what the scene asks for\n{}look at {}",
-                    message, folder.string()));
-}
 
 namespace {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/land.h"
-#include "app/ledger.h"
+#include "app/pipeline/land.h"
+#include "app/pipeline/ledger.h"
+#include "app/pipeline/step.h"
 #include "app/request.h"
-#include "app/step.h"
 #include "config/reader/scene.h"
 #include "field/image.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ledger.h"
+#include "app/pipeline/ledger.h"
 #include "field/error.h"
 #include "field/sun.h"
 #include "render/shadow/check.h"

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
-#include "app/height_check.h"
-#include "app/pipeline.h"
+#include "app/pipeline/height_check.h"
+#include "app/pipeline/pipeline.h"
 
 namespace cydonia {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/job.h"
+#include "app/pipeline/job.h"
 
 namespace cydonia {
 

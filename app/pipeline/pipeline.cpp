@@ -1,4 +1,4 @@
-#include "app/pipeline.h"
+#include "app/pipeline/pipeline.h"
 
 #include <fmt/core.h>
 #include <sys/resource.h>
@@ -7,10 +7,10 @@
 #include <chrono>
 #include <cstdio>
 
-#include "app/job.h"
-#include "app/manifest.h"
-#include "app/memory.h"
-#include "app/output_folder.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/manifest.h"
+#include "app/pipeline/memory.h"
+#include "app/pipeline/output_folder.h"
 #include "app/threads.h"
 #include "field/files.h"
 #include "render/frames/povray.h"
@@ -111,10 +111,7 @@ bool will_trace(const std::vector<PlannedStep>& plan) {
     });
 }
 
-}  // namespace
-
-void make(const Request& request, Goal goal, Progress& progress) {
-    const ThreadLimit threads(request.threads);
+void make_here(const Request& request, Goal goal, Progress& progress) {
     Job job(request, progress);
     const std::vector<Step> steps = steps_of(job);
     const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
@@ -134,6 +131,12 @@ void make(const Request& request, Goal goal, Progress& progress) {
     }
     write_manifest(steps, job);
     progress.note(fmt::format("in {}", job.folder.string()));
+}
+
+}  // namespace
+
+void make(const Request& request, Goal goal, Progress& progress) {
+    with_threads(request.threads, [&] { make_here(request, goal, progress); });
 }
 
 }  // namespace cydonia

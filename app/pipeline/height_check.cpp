@@ -1,12 +1,12 @@
-#include "app/height_check.h"
+#include "app/pipeline/height_check.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "app/check.h"
-#include "app/memory.h"
-#include "app/output_folder.h"
+#include "app/pipeline/memory.h"
+#include "app/pipeline/output_folder.h"
+#include "app/pipeline/shadow_report.h"
 #include "app/threads.h"
 #include "field/dem.h"
 #include "field/image.h"
@@ -60,10 +60,7 @@ ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& ter
     return image;
 }
 
-}  // namespace
-
-void check_height(const HeightCheck& asked, const Request& request, Progress& progress) {
-    const ThreadLimit threads(request.threads);
+void check_here(const HeightCheck& asked, const Request& request, Progress& progress) {
     const Sun sun = sun_of(asked);
     const Source height = open_source(asked.height), target = open_source(asked.target);
     const fs::path folder = request.output.empty()
@@ -89,6 +86,12 @@ void check_height(const HeightCheck& asked, const Request& request, Progress& pr
     const auto reports = render::check(terrain, folder / "shadow", progress);
     for (const render::ShadowReport& report : reports) progress.note(score_text(report));
     if (!request.force) stop_when_short(reports, folder / "shadow");
+}
+
+}  // namespace
+
+void check_height(const HeightCheck& asked, const Request& request, Progress& progress) {
+    with_threads(request.threads, [&] { check_here(asked, request, progress); });
 }
 
 }  // namespace cydonia

@@ -1,4 +1,4 @@
-#include "app/memory.h"
+#include "app/pipeline/memory.h"
 
 #include <fmt/core.h>
 #include <sys/resource.h>

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/cache.h"
-#include "app/check.h"
-#include "app/job.h"
-#include "app/memory.h"
+#include "app/pipeline/cache.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/memory.h"
+#include "app/pipeline/shadow_report.h"
 #include "field/files.h"
 #include "render/cameras.h"
 #include "render/pov/scene.h"

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/describe.h"
 
 namespace cydonia {

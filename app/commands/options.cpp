@@ -1,6 +1,6 @@
 #include <map>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 
 namespace cydonia {
 namespace {

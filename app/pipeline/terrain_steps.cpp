@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cache.h"
-#include "app/job.h"
-#include "app/memory.h"
+#include "app/pipeline/cache.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/memory.h"
 #include "field/dem.h"
 #include "field/files.h"
 #include "render/preview.h"

@@ -1,4 +1,4 @@
-#include "app/job.h"
+#include "app/pipeline/job.h"
 
 #include <fmt/core.h>
 

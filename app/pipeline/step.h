@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ledger.h"
+#include "app/pipeline/ledger.h"
 #include "app/request.h"
 
 namespace cydonia {

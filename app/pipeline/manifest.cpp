@@ -1,4 +1,4 @@
-#include "app/manifest.h"
+#include "app/pipeline/manifest.h"
 
 #include <algorithm>
 

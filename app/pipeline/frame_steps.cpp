@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/cache.h"
-#include "app/job.h"
-#include "app/memory.h"
+#include "app/pipeline/cache.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/memory.h"
 #include "app/threads.h"
 #include "field/files.h"
 #include "render/frames/frame.h"

@@ -1,4 +1,4 @@
-#include "app/ledger.h"
+#include "app/pipeline/ledger.h"
 
 #include <fmt/core.h>
 

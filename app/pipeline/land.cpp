@@ -1,11 +1,11 @@
-#include "app/land.h"
+#include "app/pipeline/land.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/cache.h"
+#include "app/pipeline/cache.h"
 #include "field/quantise.h"
 #include "field/random.h"
 #include "render/shadow/caster.h"
