@@ -124,8 +124,9 @@ std::string advice(const ShadowReport& report) {
     const auto [iou, precision, recall] = report.score;
     const double elevation = degrees(report.sun.elevation);
     std::string text = fmt::format(
-        "The shadow of '{}' matches its target with IoU {:.3f}; {:.3f} is wanted.",
-        report.name, iou, report.min_iou);
+        "The shadow of '{}' matches its target with IoU {:.3f} (precision {:.3f}, recall "
+        "{:.3f}); {:.3f} is wanted.",
+        report.name, iou, precision, recall, report.min_iou);
     // Shadows are h / tan(elevation) long: the elevation that makes them `times` as long.
     const auto elevation_for = [&](double times) {
         const double wanted = std::atan(std::tan(report.sun.elevation) / times);
