@@ -1,5 +1,78 @@
 #include "field/dem.h"
+
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <utility>
+
+#include "field/dem_grid.h"
 #include "field/error.h"
+#include "field/gdal.h"
+#include "field/image.h"
+
 namespace cydonia {
-Terrain read_dem(const Source&, std::string*) { throw failure("not built yet"); }
+namespace {
+
+bool is_exr(const Source& source) {
+    char bytes[4] = {};
+    std::ifstream(source.path, std::ios::binary).read(bytes, sizeof bytes);
+    return std::string_view(bytes, 4) == "\x76\x2f\x31\x01";
+}
+
+// As the program writes terrain.exr.
+Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& notes) {
+    const auto known = metadata.find("cydonia:spacing");
+    Terrain terrain;
+    terrain.spacing =
+        known == metadata.end() ? 0.0 : std::strtod(known->second.c_str(), nullptr);
+    if (!(terrain.spacing > 0.0 && std::isfinite(terrain.spacing)))
+        throw bad_request(
+            "it has no attribute cydonia:spacing, so the size of its cells is unknown; "
+            "give "
+            "a GeoTIFF");
+    if (heights.width() < 2 || heights.height() < 2)
+        throw bad_request("{} x {} heights, fewer than 2 x 2", heights.width(),
+                          heights.height());
+    terrain.heights = std::move(heights);
+    fill_voids(terrain.heights, notes);
+    return terrain;
+}
+
+Terrain terrain_of_grid(const Source& source, Notes& notes) {
+    DemGrid grid = dem_grid(source, notes);
+    fill_voids(grid.heights, notes);
+    return on_square_metres(grid, notes);
+}
+
+// Runs a step whose errors leave out which file they are about.
+template <class Step>
+Terrain about(const Source& source, const Step& step) {
+    try {
+        return step();
+    } catch (const Error& error) {
+        throw Error(error.code(),
+                    fmt::format("{}: {}", source.path.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+Terrain read_dem(const Source& source, std::string* note) {
+    const QuietGdal quiet;
+    Notes notes;
+    Terrain terrain;
+    if (is_exr(source)) {
+        Metadata metadata;
+        Field<float> heights = read_exr(source.path, &metadata);
+        terrain = about(
+            source, [&] { return terrain_of_exr(std::move(heights), metadata, notes); });
+    } else {
+        terrain = about(source, [&] { return terrain_of_grid(source, notes); });
+    }
+    if (note) *note = fmt::format("{}", fmt::join(notes, "; "));
+    return terrain;
+}
+
 }  // namespace cydonia

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "field/field.h"
+
 namespace cydonia {
 
 // Internal to field/: GDAL ready for use and silent while this stands. What it would have
@@ -33,5 +35,10 @@ struct CloseDataset {
     void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+// One band in memory, for GDAL's algorithms.
+Dataset memory_dataset(int width, int height, GDALDataType type);
+void store(const Field<float>& values, GDALDataset& dataset);
+void load(GDALDataset& dataset, Field<float>& values);
 
 }  // namespace cydonia

@@ -56,12 +56,8 @@ bool encoded(const Terrain& terrain, const char* name) {
     const OGRSpatialReference plane = local_metres();
     file->SetGeoTransform(north_west);
     file->SetSpatialRef(&plane);
-    GDALRasterBand* band = file->GetRasterBand(1);
-    band->SetUnitType("m");
-    auto* values = const_cast<float*>(terrain.heights.data());  // GDAL only reads them
-    if (band->RasterIO(GF_Write, 0, 0, width, height, values, width, height, GDT_Float32,
-                       0, 0, nullptr) != CE_None)
-        return false;
+    file->GetRasterBand(1)->SetUnitType("m");
+    store(terrain.heights, *file);
     file->FlushCache(true);
     return CPLGetLastErrorType() < CE_Failure;
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "field/source.h"
+#include "field/terrain.h"
+
+namespace cydonia {
+
+// Internal to field/: steps of read_dem, each throwing bad_request without the file's
+// name.
+
+// An elevation model on the grid of its file, row 0 in the north.
+struct DemGrid {
+    Field<float> heights;  // metres; NaN where there is none
+    // Metres, degrees or feet of `plane`: x = t[0] + column t[1], y = t[3] + row t[5] at
+    // the cells' corners, t[1] > 0 and t[5] < 0. It is never turned: t[2] = t[4] = 0.
+    std::array<double, 6> transform{};
+    OGRSpatialReference plane;  // empty when the file names none
+};
+
+// Sentences about what was done to a file, for its reader's `note`.
+using Notes = std::vector<std::string>;
+
+// The first band of a file that GDAL reads, turned north up.
+DemGrid dem_grid(const Source& source, Notes& notes);
+
+// Interpolates the cells that are not finite. Throws when they are more than kMostVoids
+// of all.
+constexpr double kMostVoids = 0.2;
+void fill_voids(Field<float>& heights, Notes& notes);
+
+// Square metres on the ground: the file's own cells where they are that within 1%, else
+// about as many new ones (cubic), in a plane that touches the ground at the grid's
+// middle. Needs heights without voids.
+Terrain on_square_metres(const DemGrid& grid, Notes& notes);
+
+}  // namespace cydonia
