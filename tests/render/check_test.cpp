@@ -210,7 +210,9 @@ ShadowReport report_of(double iou, double precision, double recall) {
 TEST(Advice, NamesWhatFellShort) {
     EXPECT_EQ(advice(report_of(0.9, 0.95, 0.95)), "");
     const std::string low = advice(report_of(0.60, 0.99, 0.60));
-    EXPECT_NE(low.find("IoU 0.600 (precision 0.990, recall 0.600); 0.850 is"), std::string::npos) << low;
+    EXPECT_NE(low.find("IoU 0.600 (precision 0.990, recall 0.600); 0.850 is"),
+              std::string::npos)
+        << low;
     EXPECT_NE(low.find("40% of the target stays lit"), std::string::npos) << low;
     EXPECT_NE(low.find("Lower the sun"), std::string::npos) << low;
     EXPECT_EQ(low.find("Raise the sun"), std::string::npos) << low;
