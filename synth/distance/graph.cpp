@@ -190,7 +190,7 @@ Graph graph_of(int width, int height, double spacing, const EdgeOptions& options
     const int half = graph.directions / 2;
     const std::uint64_t noise_seed = hash_of({seed, key("edge weight")});
     const int fineness = static_cast<int>(
-        std::clamp(std::ceil(8.0 * spacing / options.grain), 1.0, 1.0 * kMaxSubdivision));
+        std::clamp(std::ceil(4.0 * spacing / options.grain), 1.0, 1.0 * kMaxSubdivision));
     std::array<float, 8> length{};
     for (int d = 0; d < half; ++d) {
         const double cells = std::hypot(kForward[d].x, kForward[d].y);

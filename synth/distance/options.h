@@ -11,8 +11,9 @@
 namespace cydonia::distance {
 
 // Cross-section of a feature, from its generator outward: monotonically decreasing. An
-// image (dark line on light ground, as in figure 3.2) or (x, f(x)) pairs in any unit; at
-// most one is given. With neither, raw edge weights shape the land.
+// image (dark line on light ground, as in figure 3.2; an SVG is drawn 512 pixels wide) or
+// (x, f(x)) pairs in any unit; at most one is given. With neither, raw edge weights shape
+// the land.
 struct Profile {
     std::optional<Source> image;
     std::vector<std::array<double, 2>> points;
@@ -40,8 +41,8 @@ struct PeakOptions {
     CostRule cost;
 };
 
-// Ridges grown by tracing the least-cost path from a random node back to the peak it came
-// from (thesis, section 4.1 and 5.4).
+// Ridges grown by tracing the least-cost path from a random node back to the peak or
+// stroke it came from, whose feature they join (thesis, section 4.1 and 5.4).
 struct RidgeOptions {
     int count = 0;
     double cost_factor = 0.25;  // of the cost that the first pass gave the node
@@ -55,11 +56,11 @@ struct Options {
     PeakOptions peaks;    // F, random
     RidgeOptions ridges;  // F, grown
     Profile profile;      // P
-    double mean_edge_weight = 2.0;                   // mu_w, cost per length: a slope
-    double edge_weight_deviation = 1.0;              // r, 0 <= r < mu_w
-    Length grain = thesis_units(4.0);                // wavelength of the random weights
-    double sea_level_scale = 1.1;                    // s
-    double blending_bias = 3.0;                      // b
+    double mean_edge_weight = 2.0;       // mu_w, cost per length: a slope
+    double edge_weight_deviation = 1.0;  // r, 0 <= r < mu_w
+    Length grain = thesis_units(4.0);    // shortest wavelength of the random weights
+    double sea_level_scale = 1.1;        // s
+    double blending_bias = 3.0;          // b
     Length sea_level_threshold = thesis_units(0.5);  // epsilon_s
     double approximate_threshold = 0.05;             // p_f
     double minimum_scale = 0.001;                    // min{t_s}

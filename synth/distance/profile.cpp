@@ -7,6 +7,8 @@
 
 #include "field/error.h"
 #include "field/image.h"
+#include "field/strokes.h"
+#include "field/svg.h"
 
 namespace cydonia::distance {
 namespace {
