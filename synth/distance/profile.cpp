@@ -19,10 +19,13 @@ struct Point {
     double x, y;
 };
 
-// The middle of the dark line in each column of a picture; columns without it are
-// bridged.
+// A drawing has no pixels of its own.
+constexpr int kSvgPixels = 512;
+
+// The middle of the dark line in each column of a picture; columns without are bridged.
 std::vector<Point> traced_line(const Source& source) {
-    const Field<float> image = read_grey(source);
+    const Field<float> image =
+        is_svg(source) ? read_grey_at(source, kSvgPixels, kSvgPixels) : read_grey(source);
     std::vector<Point> points;
     for (int x = 0; x < image.width(); ++x) {
         double sum = 0.0;
