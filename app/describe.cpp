@@ -83,11 +83,11 @@ std::string figures_text(const Json& figures) {
 
 std::string timings_text(const Json& timings) {
     std::string text;
-    for (const auto& [step, seconds] : timings.value("seconds", Json::object()).items()) {
+    for (const auto& [step, seconds] : timings.at("seconds").items()) {
         text += fmt::format("  {:<28} {:8.2f} s\n", step, seconds.get<double>());
     }
     return text + fmt::format("  {:<28} {:>10}\n", "peak memory",
-                              bytes_text(timings.value("peak_memory", std::uint64_t{0})));
+                              bytes_text(timings.at("peak_memory").get<std::uint64_t>()));
 }
 
 std::string manifest_text(const fs::path& file) try {

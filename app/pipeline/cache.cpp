@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -152,7 +153,9 @@ void store_terrain(const fs::path& file, const Terrain& terrain) {
         out.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
         out.write(body.data(), static_cast<std::streamsize>(body.size()));
         out.close();
-        if (!out) throw failure("{}: cannot be written", file.string());
+        if (!out) {
+            throw failure("cannot write {}: {}", file.string(), std::strerror(errno));
+        }
     });
 }
 

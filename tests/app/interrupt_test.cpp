@@ -16,8 +16,8 @@ namespace {
 
 struct Interrupt : testing::Test {
     TemporaryFolder folder;
-    const fs::path out = folder / "out/scene";
-    Interrupt() { folder.write("scene.toml", kSmallScene); }
+    const fs::path out = folder / "out/land";
+    Interrupt() { folder.write("land.toml", kSmallScene); }
 
     // Our own `povray` first on the search path.
     Start with_povray(const std::string& script) const {
@@ -26,7 +26,7 @@ struct Interrupt : testing::Test {
                 {{"PATH", (folder / "bin").string() + ":" + getenv("PATH")}}};
     }
     Outcome render(const Start& start) const {
-        return run(start, {"render", "scene.toml", "--quality", "draft"});
+        return run(start, {"render", "land.toml", "--quality", "draft"});
     }
     void expect_goes_on() const {
         const Outcome outcome = render({folder.path()});
@@ -53,8 +53,8 @@ TEST_F(Interrupt, DuringSynthesis) {
     const std::string scene =
         kSmallScene +
         "[[terrain.stage]]\nmethod = \"distance\"\npeaks = { count = 40 }\n";
-    folder.write("scene.toml", scene);
-    const std::vector<std::string> synth = {"synth", "scene.toml", "--set",
+    folder.write("land.toml", scene);
+    const std::vector<std::string> synth = {"synth", "land.toml", "--set",
                                             "terrain.samples=1024"};
     const auto first_stage_done = [&] { return fs::exists(out / ".cache/steps.json"); };
     for (int signal : {SIGINT, SIGTERM}) {
@@ -78,7 +78,7 @@ TEST_F(Interrupt, DuringPovray) {
     const Start start =
         with_povray("echo $$ > " + started.string() + "; exec sleep 1000");
     const Outcome outcome =
-        run_and_signal(start, {"render", "scene.toml", "--quality", "draft"}, SIGINT,
+        run_and_signal(start, {"render", "land.toml", "--quality", "draft"}, SIGINT,
                        [&] { return fs::exists(started) && fs::file_size(started) > 0; });
     EXPECT_EQ(outcome.signal, SIGINT);
     EXPECT_EQ(line_count(outcome.err, "interrupted"), 1) << outcome.err;

@@ -18,14 +18,14 @@ namespace {
 
 struct EndToEnd : testing::Test {
     TemporaryFolder folder;
-    const fs::path out = folder / "out/scene";
+    const fs::path out = folder / "out/land";
     EndToEnd() {
-        folder.write("scene.toml", kShadowScene);
+        folder.write("land.toml", kShadowScene);
         folder.write("bar.svg", kBar);
     }
 
     Outcome ask(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin() + 1, {"scene.toml", "--quality", "draft"});
+        arguments.insert(arguments.begin() + 1, {"land.toml", "--quality", "draft"});
         return run({folder.path()}, arguments);
     }
     Json manifest() const {
@@ -127,7 +127,7 @@ TEST_F(EndToEnd, DamagedCacheIsMadeAgain) {
     ASSERT_EQ(ask({"synth"}).code, 0);
     const Field<float> land = read_exr(out / "terrain.exr");
     for (const std::string& file : files_below(out / ".cache")) {
-        folder.write("out/scene/.cache/" + file, "damaged");
+        folder.write("out/land/.cache/" + file, "damaged");
     }
     fs::remove(out / "terrain.exr");
     const Outcome outcome = ask({"synth"});
@@ -157,12 +157,12 @@ TEST_F(EndToEnd, HeightsThatAreNotOurs) {
     ASSERT_EQ(ask({"synth"}).code, 0);
     folder.write("wide.svg", kBar);
     const Outcome good =
-        run({folder.path()}, {"check", "--height", "out/scene/terrain.tif", "--sun",
+        run({folder.path()}, {"check", "--height", "out/land/terrain.tif", "--sun",
                               "215,25", "--target", "bar.svg"});
     EXPECT_EQ(good.code, 0) << good.err;
     EXPECT_TRUE(fs::exists(folder / "out/terrain/shadow/overlay.png"));
     const Outcome wrong_sun =
-        run({folder.path()}, {"check", "--height", "out/scene/terrain.tif", "--sun",
+        run({folder.path()}, {"check", "--height", "out/land/terrain.tif", "--sun",
                               "35,25", "--target", "bar.svg"});
     EXPECT_EQ(wrong_sun.code, 3) << wrong_sun.err;
 }
