@@ -84,6 +84,7 @@ TEST_F(Interrupt, DuringPovray) {
     EXPECT_EQ(line_count(outcome.err, "interrupted"), 1) << outcome.err;
     pid_t povray = 0;
     std::ifstream(started) >> povray;
+    ASSERT_GT(povray, 0);
     EXPECT_NE(kill(povray, 0), 0) << "POV-Ray outlived the program";
     expect_no_frame();
     expect_goes_on();

@@ -1,7 +1,6 @@
 // The whole road at a tiny size, through the program that was built and POV-Ray.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -76,13 +75,10 @@ TEST_F(EndToEnd, ShadowsShowTheTarget) {
 TEST_F(EndToEnd, AnUnchangedSceneIsNotDoneAgain) {
     ASSERT_EQ(ask({"render"}).code, 0);
     const auto before = times();
-    const auto begin = std::chrono::steady_clock::now();
     const Outcome again = ask({"render"});
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     EXPECT_EQ(again.code, 0);
     EXPECT_NE(again.err.find("nothing to do"), std::string::npos) << again.err;
     EXPECT_EQ(times(), before);
-    EXPECT_LT(took.count(), 2.0);  // on a busy machine; a second at rest
 }
 
 TEST_F(EndToEnd, OnlyWhatChangedIsDoneAgain) {
