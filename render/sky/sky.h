@@ -1,0 +1,27 @@
+#pragma once
+
+#include "field/image.h"
+#include "field/sun.h"
+#include "render/options.h"
+
+namespace cydonia::render {
+
+// One atmosphere for sun, sky and haze, linear Rec.709, in one unit: what a white surface
+// sends back. A light's colour is its irradiance over pi on a surface that faces it, the
+// sky's its radiance; 1 is about a white sheet in the sun at noon.
+struct Daylight {
+    Rgb sun;      // colour of a parallel light
+    Rgb sky;      // mean radiance of the dome over a flat ground, cosine weighted: what
+                  // ambient light is
+    Rgb horizon;  // mean radiance at the horizon: the colour of haze
+};
+
+Daylight daylight(const Sun& sun, const SkyOptions& options);
+
+// The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
+// takes it (map_type 1): the top row is the zenith, below the horizon stands the
+// horizon's colour; the sun's disc is left out. North lies where POV-Ray's +z is, see
+// render/pov.
+Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height);
+
+}  // namespace cydonia::render
