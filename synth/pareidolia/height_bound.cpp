@@ -98,9 +98,9 @@ class RowBound {
 
 template <class T>
 T nearest(const Field<T>& field, GridPoint p) {
-    const int x = std::clamp(static_cast<int>(std::lround(p.x)), 0, field.width() - 1);
-    const int y = std::clamp(static_cast<int>(std::lround(p.y)), 0, field.height() - 1);
-    return field(x, y);
+    const Cell c = cell_of(p);
+    return field(std::clamp(c.x, 0, field.width() - 1),
+                 std::clamp(c.y, 0, field.height() - 1));
 }
 
 }  // namespace

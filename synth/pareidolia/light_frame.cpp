@@ -24,6 +24,13 @@ double LightFrame::row_at(GridPoint p) const {
     return t * density + (side - 1) / 2.0;
 }
 
+Cell cell_of(GridPoint p) {
+    // Not lround: a library call for each of the millions of samples that the search for
+    // an azimuth takes.
+    return {static_cast<int>(std::floor(p.x + 0.5)),
+            static_cast<int>(std::floor(p.y + 0.5))};
+}
+
 LightFrame light_frame(int width, int height, double azimuth, int density) {
     LightFrame frame;
     frame.centre = {(width - 1) / 2.0, (height - 1) / 2.0};
@@ -40,9 +47,8 @@ Field<std::uint8_t> rotated(const Field<std::uint8_t>& image, const LightFrame& 
     parallel_for(frame.side, 16, [&](int row) {
         for (int i = 0; i < frame.side; ++i) {
             const GridPoint p = frame.position(i, row);
-            const int x = static_cast<int>(std::lround(p.x));
-            const int y = static_cast<int>(std::lround(p.y));
-            if (image.contains(x, y)) result(i, row) = image(x, y);
+            const Cell c = cell_of(p);
+            if (image.contains(c.x, c.y)) result(i, row) = image(c.x, c.y);
         }
     });
     return result;
@@ -64,11 +70,12 @@ std::vector<Run> runs_of(const Field<std::uint8_t>& rotated) {
 }
 
 double shortest_azimuth(const Field<std::uint8_t>& image) {
-    constexpr int kCandidates = 72;
+    // Half a turn: light the other way casts runs as long.
+    constexpr int kCandidates = 36;
     double best = 0.0;
     int shortest = image.width() + image.height();
     for (int i = 0; i < kCandidates; ++i) {
-        const double azimuth = 2.0 * std::numbers::pi * i / kCandidates;
+        const double azimuth = std::numbers::pi * i / kCandidates;
         const LightFrame frame = light_frame(image.width(), image.height(), azimuth, 1);
         int longest = 0;
         for (const Run& run : runs_of(rotated(image, frame)))

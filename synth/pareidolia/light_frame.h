@@ -12,6 +12,12 @@ struct GridPoint {
     double x = 0.0, y = 0.0;
 };
 
+// The cell that a point lies in, whether on the grid or not.
+struct Cell {
+    int x = 0, y = 0;
+};
+Cell cell_of(GridPoint p);
+
 // A square grid over the whole terrain turned so that light runs along its rows, from the
 // left (Rusnell 2009, Algorithm 4, step 3).
 struct LightFrame {
@@ -40,7 +46,7 @@ struct Run {
 // Step 5: every shadow of a rotated image, row by row in the order of light.
 std::vector<Run> runs_of(const Field<std::uint8_t>& rotated);
 
-// Step 2: the azimuth, of 72 evenly spaced ones, whose longest shadow is shortest
+// Step 2: the azimuth, of 36 in half a turn, whose longest shadow is shortest
 // (section 5.3), so that casters stay low. Radians; of equal ones the first from north
 // clockwise.
 double shortest_azimuth(const Field<std::uint8_t>& image);

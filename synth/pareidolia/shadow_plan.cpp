@@ -22,10 +22,6 @@ float sample(const Field<float>& field, GridPoint p) {
 
 }  // namespace
 
-Cell cell_of(GridPoint p) {
-    return {static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))};
-}
-
 ShadowPlan shadow_plan(const ShadowImage& image, double spacing) {
     constexpr int kDensity = 4;
     const LightFrame frame = light_frame(image.target.width(), image.target.height(),

@@ -49,12 +49,6 @@ Field<float> shadow_ends(const ShadowPlan& plan, const Field<float>& ground);
 Field<float> shadow_ceiling(const ShadowPlan& plan, const std::vector<float>& crests,
                             const Field<float>& relief);
 
-// The cell that a point of the grid lies in, whether on the grid or not.
-struct Cell {
-    int x, y;
-};
-Cell cell_of(GridPoint p);
-
 // Calls visit(cell, cells behind the crest) for the cells under a run, some of them
 // twice.
 template <class Visit>
