@@ -1,8 +1,96 @@
 #include "render/frames/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "field/error.h"
+#include "field/parallel.h"
+#include "render/colour/colour.h"
+
 namespace cydonia::render {
-void deliver_frame(const std::filesystem::path&, const std::filesystem::path&,
-                   const std::string&, const ColourOptions&, const Metadata&) {
-    throw failure("not built yet");
+namespace {
+
+constexpr float kLargestHalf = 65504.0f;
+
+// The exposure of its own: the light that nine tenths of the picture stay under is
+// rendered as kBright, six stops up or down at most.
+constexpr double kBright = 0.7;
+constexpr double kShareBelowBright = 0.9;
+constexpr double kMostStops = 6.0;
+
+// The grade before the view: measured on landscapes to undo the flatness that an output
+// transform and haze leave.
+constexpr float kMiddleGrey = 0.18f;
+constexpr float kContrast = 1.18f;
+constexpr float kSaturation = 1.15f;
+
+// A ray that went astray must not blacken a denoiser's or a compositor's neighbourhood.
+float finite(float value) {
+    return std::isnan(value) ? 0.0f : std::clamp(value, -kLargestHalf, kLargestHalf);
 }
+
+Field<Rgb> acescg_of(Field<Rgb> frame) {
+    parallel_for(frame.height(), [&](int y) {
+        for (Rgb& pixel : frame.row(y))
+            pixel = acescg_from_rec709(
+                {finite(pixel[0]), finite(pixel[1]), finite(pixel[2])});
+    });
+    return frame;
+}
+
+// What is left in a black frame is to be seen as black.
+double automatic_stops(const Field<Rgb>& acescg) {
+    std::vector<float> light(acescg.size());
+    std::transform(acescg.begin(), acescg.end(), light.begin(), luminance);
+    if (light.empty()) return 0.0;
+    const auto bright =
+        light.begin() + static_cast<std::ptrdiff_t>(
+                            kShareBelowBright * static_cast<double>(light.size() - 1));
+    std::nth_element(light.begin(), bright, light.end());
+    if (!(*bright > 0.0f)) return 0.0;
+    return std::clamp(std::log2(kBright / *bright), -kMostStops, kMostStops);
+}
+
+float with_contrast(float value) {
+    return value > 0.0f ? kMiddleGrey * std::pow(value / kMiddleGrey, kContrast) : value;
+}
+
+Rgb graded(const Rgb& acescg) {
+    const Rgb value{with_contrast(acescg[0]), with_contrast(acescg[1]),
+                    with_contrast(acescg[2])};
+    const float grey = luminance(value);
+    return {grey + kSaturation * (value[0] - grey),
+            grey + kSaturation * (value[1] - grey),
+            grey + kSaturation * (value[2] - grey)};
+}
+
+Field<Rgb> developed(Field<Rgb> acescg, double stops) {
+    const float gain = static_cast<float>(std::exp2(stops));
+    parallel_for(acescg.height(), [&](int y) {
+        for (Rgb& pixel : acescg.row(y))
+            pixel = graded({gain * pixel[0], gain * pixel[1], gain * pixel[2]});
+    });
+    return acescg;
+}
+
+}  // namespace
+
+void deliver_frame(const std::filesystem::path& povray_exr,
+                   const std::filesystem::path& folder, const std::string& name,
+                   const ColourOptions& colour, const Metadata& metadata) {
+    const Display display(colour);
+    Field<Rgb> frame = acescg_of(read_exr_rgb(povray_exr));
+    const double stops = automatic_stops(frame) + colour.exposure;
+
+    Metadata told = metadata;
+    told["cydonia:exposure"] = fmt::format("{:.3f} EV", stops);
+    told["cydonia:display"] = display.display();
+    told["cydonia:view"] = display.view();
+    write_exr(folder / (name + ".exr"), frame, told, Primaries::kAcesCg);
+    write_png(folder / (name + ".png"),
+              display.shown(developed(std::move(frame), stops)));
+}
+
 }  // namespace cydonia::render

@@ -1,9 +1,211 @@
 #include "render/frames/povray.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
 #include "field/error.h"
+#include "render/frames/child.h"
+
 namespace cydonia::render {
-std::filesystem::path povray_program() { throw failure("not built yet"); }
-void run_povray(const std::filesystem::path&, const std::string&, int,
-                std::chrono::seconds, Progress&) {
-    throw failure("not built yet");
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
+constexpr std::size_t kKeptOutput = 64u << 10;       // its last words, and enough of them
+constexpr std::size_t kLongestMessage = 600;
+
+bool is_program(const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none) && access(path.c_str(), X_OK) == 0;
 }
+
+// What POV-Ray makes under names of its own until the picture is whole; gone in the end.
+class Unfinished {
+  public:
+    Unfinished(const fs::path& folder, const std::string& name)
+        : picture_(folder / (name + ".part.exr")),
+          state_(folder / (name + ".part.pov-state")) {
+        remove();
+    }
+    ~Unfinished() { remove(); }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    const fs::path& picture() const { return picture_; }
+
+  private:
+    void remove() {
+        std::error_code none;
+        fs::remove(picture_, none);
+        fs::remove(state_, none);
+    }
+    fs::path picture_, state_;
+};
+
+std::optional<double> number_at(std::string_view text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
+    if (error != std::errc()) return std::nullopt;
+    return number;
+}
+
+// "Rendered 1024 of 307200 pixels (0%)"
+std::optional<double> fraction_of(std::string_view line) {
+    constexpr std::string_view kRendered = "Rendered ", kOf = " of ";
+    const auto of = line.find(kOf);
+    if (!line.starts_with(kRendered) || of == line.npos) return std::nullopt;
+    const auto done = number_at(line.substr(kRendered.size()));
+    const auto all = number_at(line.substr(of + kOf.size()));
+    if (!done || !all || *all <= 0.0) return std::nullopt;
+    return std::clamp(*done / *all, 0.0, 1.0);
+}
+
+// Takes what POV-Ray prints apart: how far it is, and all else.
+class Log {
+  public:
+    // Whole lines are moved out of `output`, ended by a new line or a carriage return.
+    void take(std::string& output) {
+        std::size_t begin = 0;
+        for (auto end = output.find_first_of("\r\n"); end != output.npos;
+             end = output.find_first_of("\r\n", begin)) {
+            add(std::string_view(output).substr(begin, end - begin));
+            begin = end + 1;
+        }
+        output.erase(0, begin);
+        if (output.size() > kKeptOutput) output.clear();  // no line is that long
+    }
+    void add(std::string_view line) {
+        if (const auto fraction = fraction_of(line)) {
+            fraction_ = std::max(fraction_, *fraction);
+            return;
+        }
+        text_.append(line).push_back('\n');
+        if (text_.size() > kKeptOutput) text_.erase(0, text_.size() - kKeptOutput);
+    }
+
+    double fraction() const { return fraction_; }
+    const std::string& text() const { return text_; }
+
+  private:
+    double fraction_ = 0.0;
+    std::string text_;
+};
+
+std::string_view trimmed(std::string_view line) {
+    const auto begin = line.find_first_not_of(" \t");
+    if (begin == line.npos) return {};
+    return line.substr(begin, line.find_last_not_of(" \t") - begin + 1);
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const auto end = std::min(text.find('\n', begin), text.size());
+        if (const auto line = trimmed(text.substr(begin, end - begin)); !line.empty())
+            lines.push_back(line);
+        begin = end + 1;
+    }
+    return lines;
+}
+
+// Said with every failure and no reason for it.
+bool is_no_reason(std::string_view line) {
+    return line == "Render failed" || line.starts_with("Fatal error in parser") ||
+           line.find("povray.conf") != line.npos;
+}
+
+// POV-Ray's own words, on one line: from the first that tells an error, else the last
+// three. It wraps them at 80 columns.
+std::string reason_in(std::string_view text) {
+    std::vector<std::string_view> lines = lines_of(text);
+    std::erase_if(lines, is_no_reason);
+    auto first = std::find_if(lines.begin(), lines.end(), [](std::string_view line) {
+        return line.find("Error:") != line.npos || line.starts_with("Fatal error") ||
+               line.starts_with("Cannot") || line.starts_with("Problem with");
+    });
+    if (first == lines.end()) first -= std::min<std::ptrdiff_t>(3, lines.size());
+
+    std::string reason;
+    for (; first != lines.end() && reason.size() < kLongestMessage; ++first)
+        reason.append(reason.empty() ? "" : " ").append(*first);
+    return reason.empty() ? "it did not say why" : reason.substr(0, kLongestMessage);
+}
+
+void expect_success(const Child& child, const fs::path& scene, std::string_view text) {
+    const int outcome = child.outcome();
+    if (outcome == Child::kCannotStart && text.empty())
+        throw failure("cannot start POV-Ray in {}", scene.parent_path().string());
+    if (outcome < 0)
+        throw failure("POV-Ray was killed by signal {} ({}) while it rendered {}{}",
+                      -outcome, strsignal(-outcome), scene.string(),
+                      -outcome == SIGKILL ? "; the memory may have run out" : "");
+    if (outcome != 0)
+        throw failure("POV-Ray could not render {}: {}", scene.string(), reason_in(text));
+}
+
+std::string in_words(std::chrono::seconds limit) {
+    const auto seconds = limit.count();
+    return seconds % 60 == 0 ? fmt::format("{} min", seconds / 60)
+                             : fmt::format("{} s", seconds);
+}
+
+}  // namespace
+
+fs::path povray_program() {
+    const char* variable = std::getenv("PATH");
+    const std::string_view folders = variable ? variable : "";
+    for (std::size_t begin = 0; begin < folders.size();) {
+        const auto end = std::min(folders.find(':', begin), folders.size());
+        const fs::path program = fs::path(folders.substr(begin, end - begin)) / "povray";
+        if (end > begin && is_program(program)) return fs::absolute(program);
+        begin = end + 1;
+    }
+    throw failure(
+        "no povray on the PATH; install it: apt install povray povray-includes");
+}
+
+void run_povray(const fs::path& folder, const std::string& name, int threads,
+                std::chrono::seconds time_limit, Progress& progress) {
+    const auto deadline = Clock::now() + time_limit;
+    const fs::path scene = folder / (name + ".pov");
+    const Unfinished unfinished(folder, name);
+
+    // +FE: an EXR whatever the .ini says; +V: tells how far it is; -D: no window.
+    Child child(
+        povray_program(),
+        {"./" + name + ".ini", "+FE", "+O" + unfinished.picture().filename().string(),
+         fmt::format("+WT{}", threads), "+V", "-D", "-P"},
+        folder);
+    Log log;
+    std::string output;
+    while (child.read(output, kPatience)) {
+        log.take(output);
+        progress.report(log.fraction());
+        if (Clock::now() > deadline)
+            throw failure("POV-Ray was stopped: {} took longer than {}", scene.string(),
+                          in_words(time_limit));
+    }
+    log.take(output);
+    log.add(output);
+    expect_success(child, scene, log.text());
+
+    std::error_code error;
+    fs::rename(unfinished.picture(), folder / (name + ".exr"), error);
+    if (error)
+        throw failure("POV-Ray ended without a picture of {}: {}", scene.string(),
+                      reason_in(log.text()));
+    progress.report(1.0);
+}
+
 }  // namespace cydonia::render

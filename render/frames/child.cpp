@@ -1,0 +1,113 @@
+#include "render/frames/child.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include "field/error.h"
+
+namespace cydonia::render {
+namespace {
+
+// Between fork and exec, where only async-signal-safe calls are allowed.
+[[noreturn]] void become(char* const* command, const char* folder, int output,
+                         pid_t parent) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(Child::kCannotStart);  // it died before the line above
+
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+
+    const int nothing = open("/dev/null", O_RDONLY);
+    const bool ready = nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
+                       dup2(output, STDOUT_FILENO) >= 0 &&
+                       dup2(output, STDERR_FILENO) >= 0 && chdir(folder) == 0;
+    if (ready) {
+        close_range(3, ~0u, CLOSE_RANGE_CLOEXEC);  // whatever libraries left open
+        execv(command[0], command);
+    }
+    _exit(Child::kCannotStart);
+}
+
+}  // namespace
+
+Child::Child(const std::filesystem::path& program,
+             const std::vector<std::string>& arguments,
+             const std::filesystem::path& folder) {
+    std::vector<std::string> words{program.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> command;
+    for (std::string& word : words) command.push_back(word.data());
+    command.push_back(nullptr);
+
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw failure("cannot start {}: {}", program.string(), std::strerror(errno));
+    const pid_t parent = getpid();
+    process_ = fork();
+    if (process_ == 0) become(command.data(), folder.c_str(), ends[1], parent);
+    const int error = errno;
+    close(ends[1]);
+    output_ = ends[0];
+    if (process_ < 0) {
+        close(output_);
+        throw failure("cannot start {}: {}", program.string(), std::strerror(error));
+    }
+    setpgid(process_, process_);  // here too: whoever comes first
+    fcntl(output_, F_SETFL, O_NONBLOCK);
+}
+
+Child::~Child() {
+    if (!ended_) {
+        kill(-process_, SIGKILL);
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+    }
+    close(output_);
+}
+
+// Its leftovers are killed while its process number is still reserved for it.
+bool Child::has_ended() {
+    siginfo_t info{};
+    const int error =
+        waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT);
+    if (error == 0 && info.si_pid == 0) return false;
+    kill(-process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+    if (error != 0)
+        outcome_ = 1;  // our parent had us ignore SIGCHLD: nobody knows
+    else
+        outcome_ = info.si_code == CLD_EXITED ? info.si_status : -info.si_status;
+    return true;
+}
+
+void Child::read_what_is_there(std::string& output) {
+    char block[1 << 14];
+    ssize_t count;
+    while ((count = ::read(output_, block, sizeof block)) > 0)
+        output.append(block, static_cast<std::size_t>(count));
+    if (count == 0) all_read_ = true;
+}
+
+bool Child::read(std::string& output, std::chrono::milliseconds patience) {
+    if (ended_) return false;
+    if (all_read_) {  // it closed its end and goes on: no poll would wait for it
+        std::this_thread::sleep_for(patience);
+    } else {
+        pollfd wait{output_, POLLIN, 0};
+        poll(&wait, 1, static_cast<int>(patience.count()));
+    }
+    ended_ = has_ended();  // before the reading: nothing is printed after it
+    read_what_is_there(output);
+    return !ended_;
+}
+
+}  // namespace cydonia::render
