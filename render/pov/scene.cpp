@@ -1,13 +1,77 @@
 #include "render/pov/scene.h"
-#include "field/error.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/pov/pieces.h"
+
 namespace cydonia::render {
-std::string pov_scene(const Shot&, const Heights16&, double) {
-    throw failure("not built yet");
+namespace pov {
+
+std::string comment(std::string_view text) {
+    std::string line(text);
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return line;
 }
-void write_pov_assets(const std::filesystem::path&, const Terrain&, const Options&) {
-    throw failure("not built yet");
+
+std::string number(double value) {
+    return fmt::format("{:.9g}", value == 0.0 ? 0.0 : value);
 }
-void write_pov_scene(const std::filesystem::path&, const Shot&, const Terrain&) {
-    throw failure("not built yet");
+
+std::string numbers(const Vec3& v) {
+    return fmt::format("{}, {}, {}", number(v.x), number(v.y), number(v.z));
 }
+
+// Four digits: as fine as a film grade, and the same wherever the light was worked out.
+std::string numbers(const Rgb& colour) {
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", colour[0], colour[1], colour[2]);
+}
+
+bool has_radiosity(Quality quality) { return quality != Quality::kDraft; }
+
+bool has_haze(const Shot& shot) {
+    const Length visibility = shot.options.haze.visibility;
+    return shot.camera.projection == Camera::Projection::kPerspective &&
+           (visibility.metres > 0.0 || visibility.fraction > 0.0);
+}
+
+namespace {
+
+std::string header(const Shot& shot) {
+    return fmt::format(R"(// {0}
+//
+// A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
+//
+//     povray {1}.ini
+//
+// It needs heights.png, ground.png, sky_visibility.png and sky_{1}.exr beside it, and
+// draws {1}.exr: linear light, Rec.709 primaries, no exposure.
+
+#version 3.7;
+
+)",
+                       comment(shot.title), shot.name);
+}
+
+}  // namespace
+}  // namespace pov
+
+std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing) {
+    std::string text = pov::header(shot);
+    text += pov::land_numbers(heights, spacing);
+    text += pov::light_numbers(shot);
+    text += pov::settings(shot);
+    text += pov::camera(shot.camera);
+    text += pov::sun(shot);
+    text += pov::sky(shot);
+    if (pov::has_haze(shot)) text += pov::haze();
+    text += pov::ground(shot);
+    text += pov::outskirts(shot, heights);
+    if (shot.options.water) text += pov::water(shot, heights);
+    return text;
+}
+
 }  // namespace cydonia::render

@@ -1,0 +1,96 @@
+// The folder of a .pov: flat, as POV-Ray's file security wants it.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/error.h"
+#include "field/files.h"
+#include "render/ground/ground.h"
+#include "render/pov/scene.h"
+#include "render/sky/sky.h"
+
+namespace cydonia::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestGround = 4096, kFinestGround = 4;  // pixels a side; a cell
+constexpr int kDomeHeight = 512;
+
+std::uint8_t srgb8(float linear) {
+    const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+    const double encoded =
+        v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+}
+
+Field<Rgb8> srgb(const Field<Rgb>& linear) {
+    Field<Rgb8> result(linear.width(), linear.height());
+    for (std::size_t i = 0; i < linear.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) result[i][c] = srgb8(linear[i][c]);
+    return result;
+}
+
+Field<std::uint16_t> levels_of(const Field<float>& share) {
+    Field<std::uint16_t> result(share.width(), share.height());
+    std::ranges::transform(share, result.begin(), [](float v) {
+        return static_cast<std::uint16_t>(
+            std::lround(65535.0f * std::clamp(v, 0.0f, 1.0f)));
+    });
+    return result;
+}
+
+int ground_detail(const Field<float>& heights) {
+    const int longest = std::max(heights.width(), heights.height());
+    return std::clamp(kLongestGround / longest, 1, kFinestGround);
+}
+
+const char* antialiasing(Quality quality) {
+    switch (quality) {
+        case Quality::kDraft:
+            return "Antialias=Off\n";
+        case Quality::kPreview:
+            return "Antialias=On\nAntialias_Threshold=0.3\nSampling_Method=1\n"
+                   "Antialias_Depth=2\n";
+        case Quality::kFinal:
+            break;
+    }
+    return "Antialias=On\nAntialias_Threshold=0.15\nSampling_Method=2\n"
+           "Antialias_Depth=2\n";
+}
+
+std::string ini(const Shot& shot) {
+    return fmt::format(R"(; povray {0}.ini
+Input_File_Name={0}.pov
+Output_File_Name={0}.exr
+Output_File_Type=E
+Width={1}
+Height={2}
+{3}Display=Off
+Pause_When_Done=Off
+)",
+                       shot.name, shot.camera.width, shot.camera.height,
+                       antialiasing(shot.quality));
+}
+
+}  // namespace
+
+void write_pov_assets(const fs::path& folder, const Terrain& terrain,
+                      const Options& options) {
+    write_png(folder / "heights.png", quantised(terrain.heights).levels);
+    write_png(folder / "ground.png", srgb(ground_albedo(terrain, options.ground,
+                                                        ground_detail(terrain.heights))));
+    write_png(folder / "sky_visibility.png",
+              levels_of(sky_visibility(terrain.heights, terrain.spacing)));
+}
+
+void write_pov_scene(const fs::path& folder, const Shot& shot, const Terrain& terrain) {
+    write_exr(folder / ("sky_" + shot.name + ".exr"),
+              sky_dome(shot.sun, shot.options.sky, kDomeHeight));
+    write_text(folder / (shot.name + ".pov"),
+               pov_scene(shot, quantised(terrain.heights), terrain.spacing));
+    write_text(folder / (shot.name + ".ini"), ini(shot));
+}
+
+}  // namespace cydonia::render

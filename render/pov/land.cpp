@@ -1,0 +1,165 @@
+// Land, its surroundings and water.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/pov/pieces.h"
+
+namespace cydonia::render::pov {
+namespace {
+
+// POV-Ray's tolerances are absolute: a unit of one metre gives black specks on land of
+// kilometres. A power of ten that makes the land 50 to 500 units wide.
+double metres_a_unit(double size) {
+    return std::pow(10.0, std::floor(std::log10(size / 50.0)));
+}
+
+double lowest_border(const Heights16& heights) {
+    const auto& levels = heights.levels;
+    const int right = levels.width() - 1, bottom = levels.height() - 1;
+    std::uint16_t lowest = 65535;
+    for (int x = 0; x <= right; ++x)
+        lowest = std::min({lowest, levels(x, 0), levels(x, bottom)});
+    for (int y = 0; y <= bottom; ++y)
+        lowest = std::min({lowest, levels(0, y), levels(right, y)});
+    return heights.base + heights.range * lowest / 65535.0;
+}
+
+// Where the country around the land lies: out of sight under its border.
+double outskirts_height(const Heights16& heights) {
+    return lowest_border(heights) - 0.002 * heights.range;
+}
+
+constexpr const char* kGroundUnderVisibility =
+    R"(// Sunlight is traced; skylight is what sky_visibility.png leaves of it: white is a place
+// that sees the whole sky, black one that sees none.
+#declare Ground = texture {
+    image_pattern { png "sky_visibility.png" gamma 1.0 interpolate 2 }
+    texture_map {
+        [0 pigment { GroundColour } ]
+        [1 pigment { GroundColour } finish { emission SkyLight * SkyFill } ]
+    }
+    transform { FromAbove }
+};
+)";
+
+constexpr const char* kGroundUnderRadiosity = R"(#declare Ground = texture {
+    pigment { GroundColour transform { FromAbove } }
+};
+)";
+
+}  // namespace
+
+std::string land_numbers(const Heights16& heights, double spacing) {
+    const double width = spacing * heights.levels.width();
+    const double depth = spacing * heights.levels.height();
+    return fmt::format(
+        R"(// The land, in metres. Its heights stand at the centres of square cells.
+#declare LandWidth  = {}; // west to east
+#declare LandDepth  = {}; // south to north
+#declare Spacing    = {}; // from one height to the next
+#declare BaseHeight = {}; // the lowest ground
+#declare Relief     = {}; // from there to the highest
+
+// One POV-Ray unit in metres.
+#declare Unit = {};
+
+// From metres east, north and up of the land's south-west corner to POV-Ray's space, where
+// x is east, y up and z north.
+#macro Towards(East, North, Up) (<East, Up, North>) #end
+#macro At(East, North, Up) (Towards(East, North, Up) / Unit) #end
+
+#declare LandSize = max(LandWidth, LandDepth);
+#declare Middle = At(LandWidth / 2, LandDepth / 2, BaseHeight + Relief / 2);
+
+)",
+        number(width), number(depth), number(spacing), number(heights.base),
+        number(heights.range), number(metres_a_unit(std::max(width, depth))));
+}
+
+std::string ground(const Shot& shot) {
+    return fmt::format(
+        R"(// The ground's colour covers the cells, draped from above.
+#declare FromAbove = transform {{ rotate 90 * x scale At(LandWidth, LandDepth, Unit) }}
+#declare GroundColour = pigment {{
+    image_map {{ png "ground.png" gamma srgb interpolate 2 }}
+}}
+{}
+// The heights are corners of the surface, which so ends half a cell inside the land.
+height_field {{
+    png "heights.png" gamma 1.0 smooth
+    scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
+    translate At(Spacing / 2, Spacing / 2, BaseHeight)
+    texture {{ Ground }}
+}}
+
+)",
+        has_radiosity(shot.quality) ? kGroundUnderRadiosity : kGroundUnderVisibility);
+}
+
+std::string outskirts(const Shot& shot, const Heights16& heights) {
+    return fmt::format(
+        R"(// Level country around the land, so that no view ends in nothing: of the ground's mean
+// colour, a little under the lowest border.
+#declare OutskirtsHeight = {};
+#declare ColourAt = function {{ pigment {{ GroundColour }} }}
+#declare MeanColour = rgb 0;
+#for (I, 0, 31)
+    #for (J, 0, 31)
+        #declare MeanColour =
+            MeanColour + ColourAt((I + 0.5) / 32, (J + 0.5) / 32, 0) / 1024;
+    #end
+#end
+plane {{
+    y, OutskirtsHeight / Unit
+    clipped_by {{
+        box {{
+            At(Spacing / 2, Spacing / 2, -1e6),
+            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            inverse
+        }}
+    }}
+    pigment {{ color MeanColour }}{}
+}}
+)",
+        number(outskirts_height(heights)),
+        has_radiosity(shot.quality) ? ""
+                                    : "\n    finish { emission SkyLight * SkyFill }");
+}
+
+std::string water(const Shot& shot, const Heights16& heights) {
+    const double width = 0.0;
+    (void)width;
+    const Length level = shot.options.water->level;
+    (void)heights;
+    return fmt::format(R"(
+// Water: dark by itself, it mirrors the sky where it is seen at a low angle.
+#declare WaterLevel = {} + {} * LandWidth;
+#declare Water = texture {{
+    pigment {{ color rgb <0.004, 0.016, 0.022> }}
+    normal {{
+        average normal_map {{
+            [1 bumps 0.05 scale 3 / Unit]
+            [1 bumps 0.05 scale 17 / Unit]
+            [1 bumps 0.05 scale 70 / Unit]
+        }}
+    }}
+    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
+}};
+plane {{
+    y, WaterLevel / Unit
+    #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
+        clipped_by {{
+            box {{ At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }}
+        }}
+    #end
+    texture {{ Water }}
+    interior {{ ior 1.33 }}
+}}
+)",
+                       number(level.metres), number(level.fraction),
+                       has_radiosity(shot.quality) ? "" : " emission SkyLight * SkyFill");
+}
+
+}  // namespace cydonia::render::pov

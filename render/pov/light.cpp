@@ -1,0 +1,114 @@
+// Light, air and how they are traced.
+#include <fmt/core.h>
+
+#include "render/pov/pieces.h"
+#include "render/sky/sky.h"
+
+namespace cydonia::render::pov {
+namespace {
+
+// Gathered from many directions at few places, smoothly joined: one bounce and the sky.
+// The numbers were found by eye on mountains; more cost minutes and show nothing.
+std::string radiosity(Quality quality) {
+    if (!has_radiosity(quality)) return "";
+    const bool final = quality == Quality::kFinal;
+    return fmt::format(R"(
+    // Light from the sky and one bounce between the slopes.
+    radiosity {{
+        count {}, 4000 nearest_count {} error_bound {} recursion_limit 1
+        pretrace_start 0.08 pretrace_end {} minimum_reuse {}
+        normal off always_sample off brightness SkyFill
+    }})",
+                       final ? 160 : 80, final ? 10 : 8, final ? 0.4 : 0.5,
+                       final ? 0.004 : 0.008, final ? 0.006 : 0.008);
+}
+
+}  // namespace
+
+std::string light_numbers(const Shot& shot) {
+    const Daylight light = daylight(shot.sun, shot.options.sky);
+    std::string text = fmt::format(
+        R"(// The sun, in degrees: clockwise from north, and above the horizon. The light's colours
+// below and the sky's image belong to this height; 1 is what a white sheet sends back.
+#declare SunAzimuth   = {};
+#declare SunElevation = {};
+#declare SunLight     = rgb <{}>;
+#declare SkyLight     = rgb <{}>; // of the whole sky, on level ground
+#declare SkyFill      = {}; // above 1 opens the shadows; the visible sky stays
+)",
+        number(degrees(shot.sun.azimuth)), number(degrees(shot.sun.elevation)),
+        numbers(light.sun), numbers(light.sky), number(shot.options.sky.fill));
+    if (has_haze(shot)) {
+        const Length visibility = shot.options.haze.visibility;
+        text += fmt::format(R"(#declare HazeLight    = rgb <{}>;
+#declare Visibility   = {} + {} * LandWidth; // metres at which haze takes over
+)",
+                            numbers(light.horizon), number(visibility.metres),
+                            number(visibility.fraction));
+    }
+    return text + "\n";
+}
+
+std::string settings(const Shot& shot) {
+    return fmt::format(R"(global_settings {{
+    assumed_gamma 1.0{}
+}}
+#default {{ finish {{ ambient 0 diffuse 1 }} }}
+
+)",
+                       radiosity(shot.quality));
+}
+
+std::string sun(const Shot& shot) {
+    // The sun's disc is 0.53 degrees across: soft edges where shadows are long.
+    std::string disc;
+    if (shot.quality != Quality::kDraft) {
+        const int samples = shot.quality == Quality::kFinal ? 7 : 5;
+        disc = fmt::format(R"(
+    // Its disc, 0.53 degrees across.
+    area_light 0.00925 * SunDistance * x, 0.00925 * SunDistance * y, {0}, {0}
+    adaptive 1 jitter circular orient)",
+                           samples);
+    }
+    return fmt::format(R"(#declare ToSun = Towards(
+    sin(radians(SunAzimuth)) * cos(radians(SunElevation)),
+    cos(radians(SunAzimuth)) * cos(radians(SunElevation)),
+    sin(radians(SunElevation)));
+#declare SunDistance = 100 * LandSize / Unit;
+light_source {{
+    Middle + SunDistance * ToSun
+    color SunLight
+    parallel point_at Middle{}
+}}
+
+)",
+                       disc);
+}
+
+std::string sky(const Shot& shot) {
+    return fmt::format(R"(// The whole sky around the land, the sun's disc left out.
+sky_sphere {{
+    pigment {{
+        image_map {{ exr "sky_{}.exr" map_type 1 interpolate 2 }}
+    }}
+}}
+
+)",
+                       shot.name);
+}
+
+std::string haze() {
+    return R"(// Haze lies low: half of it is gone HazeHeight above the lowest ground. What remains of a
+// contrast at the distance called visibility is 2 % (Koschmieder): exp(-3.912).
+#declare HazeHeight = 1200; // metres
+fog {
+    fog_type 2 up y
+    distance Visibility / 3.912 / Unit
+    fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
+    color HazeLight
+}
+
+)";
+}
+
+}  // namespace cydonia::render::pov

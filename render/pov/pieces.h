@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "field/quantise.h"
+#include "render/pov/scene.h"
+
+// The .pov in pieces, each a block of text that says what it does. The pieces use the
+// names that land_numbers() and light_numbers() declare.
+namespace cydonia::render::pov {
+
+// A line's worth of any bytes for a `//` comment: control bytes become spaces.
+std::string comment(std::string_view text);
+// A number as a person writes it: at most nine digits, no minus zero.
+std::string number(double value);
+// "a, b, c".
+std::string numbers(const Vec3& v);
+std::string numbers(const Rgb& colour);
+
+// Whether light between the slopes is traced (radiosity) or taken from the visibility
+// map.
+bool has_radiosity(Quality quality);
+// A map has no haze: it would only veil.
+bool has_haze(const Shot& shot);
+
+std::string land_numbers(const Heights16& heights, double spacing);
+std::string light_numbers(const Shot& shot);
+std::string settings(const Shot& shot);
+std::string camera(const Camera& camera);
+std::string sun(const Shot& shot);
+std::string sky(const Shot& shot);
+std::string haze();
+std::string ground(const Shot& shot);
+std::string outskirts(const Shot& shot, const Heights16& heights);
+std::string water(const Shot& shot, const Heights16& heights);
+
+}  // namespace cydonia::render::pov
