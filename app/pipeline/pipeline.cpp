@@ -76,10 +76,10 @@ void print_plan(const std::vector<PlannedStep>& plan, const Job& job) {
     fmt::print("{}: {}x{} samples, to {}\n", job.request.scene.string(), job.land.width(),
                job.land.height(), job.folder.string());
     for (const PlannedStep& p : plan) {
-        fmt::print("  {:<24} {:<6} {:>8}\n", p.step->name, p.finished ? "done" : "to do",
-                   p.finished ? "" : bytes_text(p.step->memory));
+        fmt::print("  {:<24} {}\n", p.step->name,
+                   p.finished ? "done" : "to do " + bytes_text(p.step->memory));
     }
-    fmt::print("peak memory {}, available {}\n", bytes_text(predicted_peak(plan)),
+    fmt::print("memory: {} at most, {} available\n", bytes_text(predicted_peak(plan)),
                bytes_text(memory::available()));
 }
 

@@ -118,7 +118,8 @@ std::vector<std::string> temporary_files(const fs::path& folder) {
     std::vector<std::string> files = files_below(folder);
     std::erase_if(files, [](const std::string& file) {
         const std::string name = fs::path(file).filename();
-        return name.find(".tmp") == std::string::npos && !name.ends_with(".pov-state");
+        return name.find(".tmp") == std::string::npos &&
+               name.find(".part.") == std::string::npos && !name.ends_with(".pov-state");
     });
     return files;
 }

@@ -92,6 +92,15 @@ TEST_F(EndToEnd, OnlyWhatChangedIsDoneAgain) {
     EXPECT_NE(after.at("frames/overhead.png"), before.at("frames/overhead.png"));
 }
 
+TEST_F(EndToEnd, AnEqualPovIsNotTracedAgain) {
+    ASSERT_EQ(ask({"render"}).code, 0);
+    const auto before = times();
+    fs::remove(out / "pov/overhead.ini");
+    ASSERT_EQ(ask({"render"}).code, 0);
+    EXPECT_NE(times().at("pov/overhead.pov"), before.at("pov/overhead.pov"));
+    EXPECT_EQ(times().at("pov/overhead.exr"), before.at("pov/overhead.exr"));
+}
+
 TEST_F(EndToEnd, ALostFrameIsMadeAgain) {
     ASSERT_EQ(ask({"render"}).code, 0);
     const auto before = times();
