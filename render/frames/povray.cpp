@@ -197,7 +197,7 @@ void run_povray(const fs::path& folder, const std::string& name, int threads,
                           in_words(time_limit));
     }
     log.take(output);
-    log.add(output);
+    if (!output.empty()) log.add(output);
     expect_success(child, scene, log.text());
 
     std::error_code error;
