@@ -82,20 +82,25 @@ class NormalNoise {
 };
 
 // The random part of eq. 3.3 at a point: uniform in [-1, 1]; waves of `grain` metres and
-// twice and four times as long, in equal parts.
+// ones twice as long from octave to octave, in equal parts.
 class GrainNoise {
   public:
-    GrainNoise(double grain, std::uint64_t seed)
-        : octaves_{NormalNoise(grain, mix(seed)), NormalNoise(2.0 * grain, mix(seed + 1)),
-                   NormalNoise(4.0 * grain, mix(seed + 2))} {}
+    GrainNoise(double grain, int octaves, std::uint64_t seed)
+        : scale_(1.0f / std::sqrt(static_cast<float>(octaves))) {
+        for (int i = 0; i < octaves; ++i) {
+            octaves_.emplace_back(grain * std::exp2(i), mix(seed + i));
+        }
+    }
 
     float operator()(double x, double y) {
-        const float sum = octaves_[0](x, y) + octaves_[1](x, y) + octaves_[2](x, y);
-        return uniform_from_normal(sum * 0.57735027f);
+        float sum = 0.0f;
+        for (NormalNoise& octave : octaves_) sum += octave(x, y);
+        return uniform_from_normal(sum * scale_);
     }
 
   private:
-    std::array<NormalNoise, 3> octaves_;
+    std::vector<NormalNoise> octaves_;
+    float scale_;
 };
 
 void check(const EdgeOptions& options) {
@@ -143,8 +148,8 @@ struct Samples {
     int margin = 0;
     int subdivision = 1;
 
-    Samples(const Graph& graph, int first_row, int rows, int fineness, double grain,
-            std::uint64_t seed)
+    Samples(const Graph& graph, int first_row, int rows, int fineness,
+            const EdgeOptions& options, std::uint64_t seed)
         : values((graph.width + 2 * graph.margin) * fineness,
                  (rows + graph.margin) * fineness + 1),
           margin(graph.margin),
@@ -152,7 +157,7 @@ struct Samples {
         const double fine = graph.spacing / fineness;
         const double west = (0.5 - margin) * graph.spacing;
         const double north = (first_row + 0.5) * graph.spacing;
-        GrainNoise noise(grain, seed);
+        GrainNoise noise(options.grain, options.octaves, seed);
         for (int y = 0; y < values.height(); ++y) {
             for (int x = 0; x < values.width(); ++x) {
                 values(x, y) = noise(west + fine * x, north + fine * y);
@@ -179,10 +184,6 @@ EdgeOptions edges_of(const Options& options, double width) {
             options.grain.in(width), options.metric, options.neighbours};
 }
 
-float grain_noise(double x, double y, double grain, std::uint64_t seed) {
-    return GrainNoise(grain, seed)(x, y);
-}
-
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
                std::uint64_t seed) {
     check(options);
@@ -203,7 +204,7 @@ Graph graph_of(int width, int height, double spacing, const EdgeOptions& options
     parallel_for((height + kBandRows - 1) / kBandRows, [&](int band) {
         const int first = band * kBandRows;
         const int rows = std::min(kBandRows, height - first);
-        const Samples noise(graph, first, rows, fineness, options.grain, noise_seed);
+        const Samples noise(graph, first, rows, fineness, options, noise_seed);
         for (int row = 0; row < rows; ++row) {
             for (int x = 0; x < width; ++x) {
                 float* weights =

@@ -16,6 +16,7 @@ struct EdgeOptions {
     double grain = 40.0;     // shortest wavelength of the random part, metres
     Options::Metric metric = Options::Metric::kEuclidean;
     int neighbours = 8;  // 8, or 16 (kEuclidean only)
+    int octaves = 3;     // of the random part, each twice as long as the one before
 };
 
 // Of a terrain `width` metres wide.
@@ -58,8 +59,5 @@ struct Graph {
 // Throws bad_request unless 0 <= deviation < mean, grain > 0 and neighbours is 8 or 16.
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
                std::uint64_t seed);
-
-// v at a point.
-float grain_noise(double x, double y, double grain, std::uint64_t seed);
 
 }  // namespace cydonia::distance

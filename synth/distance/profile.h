@@ -48,10 +48,11 @@ class ProfileGrowth {
                   double mean_edge_weight);
 
     auto from(int origin) const {
-        return
-            [this, cost = starts_[origin].cost, share = shares_[origin]](float length) {
-                return cost + share * (*descent_)(length * distance_ / share);
-            };
+        const float share = shares_[origin];
+        return [descent = descent_, cost = starts_[origin].cost, share,
+                rate = distance_ / share](float length) {
+            return cost + share * (*descent)(rate * length);
+        };
     }
 
   private:

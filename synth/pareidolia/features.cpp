@@ -16,6 +16,8 @@ namespace {
 // Lit land falls at this share of the light's own slope, on average, so that it casts
 // nothing.
 constexpr double kLitShare = 0.5;
+// Relief of the land from the grain to sixteen times its length.
+constexpr int kGrainOctaves = 5;
 // Width of the anti-shadow band (step 4), of the terrain's width.
 constexpr double kAntiShadowReach = 0.03;
 
@@ -51,7 +53,8 @@ Field<float> features(const Options& options, const Terrain& base,
         [&, graph = distance::graph_of(width, height, base.spacing,
                                        {.mean = mean,
                                         .deviation = options.edge_weight_deviation,
-                                        .grain = options.grain.in(base.width())},
+                                        .grain = options.grain.in(base.width()),
+                                        .octaves = kGrainOctaves},
                                        hash_of({context.seed, key("edge weights")}))](
             const Slopes& slopes) { return scaled(graph, slopes, plan.frame); };
 

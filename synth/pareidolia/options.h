@@ -27,7 +27,7 @@ struct Options {
     std::vector<ImageOptions> images;    // exactly one for kFeatures
     double mean_edge_weight = 2.0;       // mu_w, cost per length: a slope
     double edge_weight_deviation = 1.5;  // r, 0 <= r < mu_w
-    Length grain = thesis_units(4.0);    // wavelength of the random weights
+    Length grain = thesis_units(8.0);    // shortest wavelength of the random weights
     int secondary_peaks = 10;
     int secondary_ridges = 75;
     NoiseOptions secondary_cost;  // C_sec, normalised between its bounds
