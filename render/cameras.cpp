@@ -129,14 +129,22 @@ double depression(const Camera& c, const Vec3& p) {
 // Turned down until the near edge is out of the frame, and up again until every peak is
 // in it with some sky.
 void aim(Camera& c, const Terrain& t) {
-    double nearest = -1e9, highest = 1e9;
-    look_over(t, [&](const Vec3& p) {
-        nearest = std::max(nearest, depression(c, p));
-        highest = std::min(highest, depression(c, p));
-    });
+    const Vec3 middle = centre(t);
     const double half = half_height(c);
+    double near_edge = radians(90.0), peak = radians(90.0);
+    look_over(t, [&](const Vec3& p) {
+        const Vec3 s = seen(c, p);
+        if (std::abs(s.x) > std::tan(0.5 * c.field_of_view) * s.z) return;
+        peak = std::min(peak, depression(c, p));
+        const double inset =
+            1.5 * std::max({t.spacing, t.width() / kLooks, t.depth() / kLooks});
+        const bool border = p.x < inset || p.y < inset || p.x > t.width() - inset ||
+                            p.y > t.depth() - inset;
+        if (border && s.z < seen(c, middle).z)
+            near_edge = std::min(near_edge, depression(c, p));
+    });
     const double down =
-        std::min(nearest - half, highest + half * (1.0 - 2.0 * kSkyMargin));
+        std::min(near_edge - half, peak + half * (1.0 - 2.0 * kSkyMargin));
     if (std::abs(down) > radians(80.0)) return;
     const Vec3 ahead{c.target.x - c.eye.x, c.target.y - c.eye.y, 0.0};
     c.target = c.eye + ahead + Vec3{0.0, 0.0, -length(ahead) * std::tan(down)};
@@ -232,6 +240,7 @@ std::vector<CameraOptions> default_cameras() {
     overhead.kind = CameraOptions::Kind::kOverhead;
     overhead.size = {1080, 1080};
     oblique.name = "oblique";
+    oblique.elevation = radians(12.0);  // low enough for some sky
     return {overhead, oblique};
 }
 

@@ -86,10 +86,11 @@ void write_pov_assets(const fs::path& folder, const Terrain& terrain,
 }
 
 void write_pov_scene(const fs::path& folder, const Shot& shot, const Terrain& terrain) {
+    const std::string scene =
+        pov_scene(shot, quantised(terrain.heights), terrain.spacing);
     write_exr(folder / ("sky_" + shot.name + ".exr"),
               sky_dome(shot.sun, shot.options.sky, kDomeHeight));
-    write_text(folder / (shot.name + ".pov"),
-               pov_scene(shot, quantised(terrain.heights), terrain.spacing));
+    write_text(folder / (shot.name + ".pov"), scene);
     write_text(folder / (shot.name + ".ini"), ini(shot));
 }
 

@@ -26,10 +26,18 @@ double lowest_border(const Heights16& heights) {
     return heights.base + heights.range * lowest / 65535.0;
 }
 
-// Where the country around the land lies: out of sight under its border.
-double outskirts_height(const Heights16& heights) {
-    return lowest_border(heights) - 0.002 * heights.range;
-}
+constexpr const char* kFadingGround =
+    R"(    // It thins out until the sky's horizon, which goes on below, is all that is left.
+    texture {
+        spherical
+        texture_map {
+            [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
+            [0.7 MeanGround ]
+        }
+        scale 2.5 * LandSize / Unit
+        translate Middle
+    }
+)";
 
 constexpr const char* kGroundUnderVisibility =
     R"(// Sunlight is traced; skylight is what sky_visibility.png leaves of it: white is a place
@@ -44,8 +52,11 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-constexpr const char* kGroundUnderRadiosity = R"(#declare Ground = texture {
+constexpr const char* kGroundUnderRadiosity =
+    R"(// Bumps finer than the heights catch the light close up; they cast no shadow.
+#declare Ground = texture {
     pigment { GroundColour transform { FromAbove } }
+    normal { granite 0.3 scale 2 * Spacing / Unit }
 };
 )";
 
@@ -87,21 +98,23 @@ std::string ground(const Shot& shot) {
 }}
 {}
 // The heights are corners of the surface, which so ends half a cell inside the land.
-height_field {{
+#declare Land = height_field {{
     png "heights.png" gamma 1.0 smooth
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
-    texture {{ Ground }}
 }}
+object {{ Land texture {{ Ground }} }}
 
 )",
         has_radiosity(shot.quality) ? kGroundUnderRadiosity : kGroundUnderVisibility);
 }
 
 std::string outskirts(const Shot& shot, const Heights16& heights) {
+    const char* skylight =
+        has_radiosity(shot.quality) ? "" : " finish { emission SkyLight * SkyFill }";
     return fmt::format(
-        R"(// Level country around the land, so that no view ends in nothing: of the ground's mean
-// colour, a little under the lowest border.
+        R"(// Around the land: its sides, and level country of the ground's mean colour at the height
+// of the lowest border, so that no view ends in nothing.
 #declare OutskirtsHeight = {};
 #declare ColourAt = function {{ pigment {{ GroundColour }} }}
 #declare MeanColour = rgb 0;
@@ -111,6 +124,13 @@ std::string outskirts(const Shot& shot, const Heights16& heights) {
             MeanColour + ColourAt((I + 0.5) / 32, (J + 0.5) / 32, 0) / 1024;
     #end
 #end
+#declare MeanGround = texture {{ pigment {{ color MeanColour }}{} }}
+box {{
+    At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
+    At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
+    clipped_by {{ Land }}
+    texture {{ MeanGround }}
+}}
 plane {{
     y, OutskirtsHeight / Unit
     clipped_by {{
@@ -120,19 +140,14 @@ plane {{
             inverse
         }}
     }}
-    pigment {{ color MeanColour }}{}
-}}
+{}}}
 )",
-        number(outskirts_height(heights)),
-        has_radiosity(shot.quality) ? ""
-                                    : "\n    finish { emission SkyLight * SkyFill }");
+        number(lowest_border(heights)), skylight,
+        has_haze(shot) ? kFadingGround : "    texture { MeanGround }\n");
 }
 
-std::string water(const Shot& shot, const Heights16& heights) {
-    const double width = 0.0;
-    (void)width;
+std::string water(const Shot& shot) {
     const Length level = shot.options.water->level;
-    (void)heights;
     return fmt::format(R"(
 // Water: dark by itself, it mirrors the sky where it is seen at a low angle.
 #declare WaterLevel = {} + {} * LandWidth;

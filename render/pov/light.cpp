@@ -98,9 +98,9 @@ sky_sphere {{
 }
 
 std::string haze() {
-    return R"(// Haze lies low: half of it is gone HazeHeight above the lowest ground. What remains of a
-// contrast at the distance called visibility is 2 % (Koschmieder): exp(-3.912).
-#declare HazeHeight = 1200; // metres
+    return R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
+// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+#declare HazeHeight = LandSize / 8; // metres
 fog {
     fog_type 2 up y
     distance Visibility / 3.912 / Unit

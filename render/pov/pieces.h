@@ -33,6 +33,6 @@ std::string sky(const Shot& shot);
 std::string haze();
 std::string ground(const Shot& shot);
 std::string outskirts(const Shot& shot, const Heights16& heights);
-std::string water(const Shot& shot, const Heights16& heights);
+std::string water(const Shot& shot);
 
 }  // namespace cydonia::render::pov

@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 
+#include "field/error.h"
 #include "render/pov/pieces.h"
 
 namespace cydonia::render {
@@ -56,10 +57,20 @@ std::string header(const Shot& shot) {
                        comment(shot.title), shot.name);
 }
 
+// The name stands in file names and in quotes.
+void check_name(const std::string& name) {
+    const bool safe = std::ranges::all_of(
+        name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+    if (name.empty() || name.size() > 64 || !safe)
+        throw bad_request("a camera's name is 1 to 64 of A-Z a-z 0-9 _ -, not '{}'",
+                          comment(name));
+}
+
 }  // namespace
 }  // namespace pov
 
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing) {
+    pov::check_name(shot.name);
     std::string text = pov::header(shot);
     text += pov::land_numbers(heights, spacing);
     text += pov::light_numbers(shot);
@@ -70,7 +81,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     if (pov::has_haze(shot)) text += pov::haze();
     text += pov::ground(shot);
     text += pov::outskirts(shot, heights);
-    if (shot.options.water) text += pov::water(shot, heights);
+    if (shot.options.water) text += pov::water(shot);
     return text;
 }
 
