@@ -76,6 +76,43 @@ void expect_same_as_reference(const Graph& graph, std::span<const Start> starts,
     }
 }
 
+TEST(BucketQueue, OrdersByCostThenNodeForAnyWidth) {
+    using Entry = std::pair<float, int>;
+    for (float width : {1e-4f, 1.0f, 1e4f}) {
+        BucketQueue queue(width);
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> expected;
+        std::uint64_t draws = 0;
+        const auto push_above = [&](float least) {
+            // Whole tenths, so that costs repeat.
+            const float cost = least + static_cast<float>(mix(++draws) % 300) / 10.0f;
+            const auto node = static_cast<int>(mix(++draws) % 1000);
+            queue.push(cost, node);
+            expected.push({cost, node});
+        };
+        for (int i = 0; i < 200; ++i) push_above(0.0f);
+        float cost = 0.0f;
+        int node = 0;
+        while (queue.pop(cost, node, [](float, int) { return true; })) {
+            ASSERT_EQ(Entry(cost, node), expected.top()) << "width " << width;
+            expected.pop();
+            if (draws < 8000) push_above(cost);
+        }
+        EXPECT_TRUE(expected.empty());
+    }
+}
+
+TEST(BucketQueue, MayDropTheDead) {
+    BucketQueue queue(1.0f);
+    for (int i = 0; i < 100; ++i) queue.push(0.5f * static_cast<float>(i), i);
+    float cost = 0.0f;
+    int node = 0, popped = 0;
+    while (queue.pop(cost, node, [](float, int n) { return n % 2 == 0; })) {
+        EXPECT_EQ(node % 2, 0);
+        ++popped;
+    }
+    EXPECT_EQ(popped, 50);
+}
+
 TEST(LeastCost, EqualsReferenceOnRandomGraphs) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Graph graph = graph_of(61, 47, 10.0,
