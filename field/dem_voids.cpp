@@ -11,6 +11,10 @@
 namespace cydonia {
 namespace {
 
+// Averages over 3 x 3 cells, among the filled ones only, against the rays that GDAL's
+// search from each void leaves.
+constexpr int kSmoothings = 3;
+
 // Non-zero where a height is known, as GDALFillNodata wants it.
 Dataset mask_of(const Field<float>& heights) {
     Field<float> known(heights.width(), heights.height());
@@ -44,8 +48,9 @@ void fill_voids(Field<float>& heights, Notes& notes) {
     store(heights, *filled);
     const double reach = std::hypot(heights.width(), heights.height());
     const char* options[] = {"TEMP_FILE_DRIVER=MEM", nullptr};
-    if (GDALFillNodata(filled->GetRasterBand(1), mask->GetRasterBand(1), reach, 0, 0,
-                       const_cast<char**>(options), nullptr, nullptr) != CE_None)
+    if (GDALFillNodata(filled->GetRasterBand(1), mask->GetRasterBand(1), reach, 0,
+                       kSmoothings, const_cast<char**>(options), nullptr,
+                       nullptr) != CE_None)
         throw bad_request("its voids cannot be filled: {}", QuietGdal::message());
     load(*filled, heights);
     if (count_voids(heights) > 0)

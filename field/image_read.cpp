@@ -7,8 +7,9 @@
 #include <type_traits>
 
 #include "field/error.h"
+#include "field/flaw.h"
+#include "field/gdal.h"
 #include "field/image.h"
-#include "field/whole.h"
 
 namespace cydonia {
 namespace {
@@ -56,8 +57,8 @@ class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path) {
         const char* format = format_of(path);
-        if (!is_whole(path, format))
-            throw bad_request("{}: truncated, the file ends too early", path.string());
+        if (const std::string_view flaw = flaw_of(path, format); !flaw.empty())
+            throw bad_request("{}: {}", path.string(), flaw);
         input_ = OIIO::ImageInput::create(format);
         OIIO::ImageSpec wishes;
         wishes["oiio:UnassociatedAlpha"] = 1;  // colours as they are stored
@@ -119,6 +120,7 @@ class Reader {
                            path_.string(), y, spec_.height, one_line(input_->geterror()));
     }
 
+    const QuietGdal quiet_;  // GDAL takes over what libtiff has to say, OpenImageIO's too
     std::filesystem::path path_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;

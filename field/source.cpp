@@ -31,6 +31,8 @@ void expect_readable_file(const fs::path& path) {
         throw bad_request("cannot open '{}': it is a folder", path.string());
     if (!fs::is_regular_file(status))
         throw bad_request("cannot open '{}': it is not a regular file", path.string());
+    if (fs::file_size(path) > kLargestSource)
+        throw bad_request("'{}' is larger than 4 GiB", path.string());
 }
 
 }  // namespace
@@ -50,8 +52,6 @@ Source open_source(const fs::path& path) {
         XXH3_64bits_update(state.get(), block.data(),
                            static_cast<std::size_t>(in.gcount()));
         source.size += static_cast<std::uint64_t>(in.gcount());
-        if (source.size > kLargestSource)
-            throw bad_request("'{}' is larger than 4 GiB", path.string());
     }
     if (in.bad()) throw bad_request("cannot read '{}'", path.string());
     if (source.size == 0) throw bad_request("'{}' is empty", path.string());

@@ -41,6 +41,17 @@ auto checked(const Source& source, const Act& act) {
                       error ? error->message : "not an SVG drawing");
 }
 
+// Magnified text makes Pango complain, on the terminal, of font sizes that only its
+// layout asked for; the letters themselves are drawn as outlines. librsvg reports its own
+// errors apart from this.
+void silence_glib() {
+    static const auto ignore = [](GLogLevelFlags, const GLogField*, gsize, gpointer) {
+        return G_LOG_WRITER_HANDLED;
+    };
+    static const bool silent = (g_log_set_writer_func(ignore, nullptr, nullptr), true);
+    static_cast<void>(silent);
+}
+
 // Loaded without a base address, so that librsvg follows no reference to another file.
 Handle opened(const Source& source, const std::string& text, SvgEdges edges) {
     const auto* bytes = reinterpret_cast<const guint8*>(text.data());
@@ -112,6 +123,7 @@ bool is_svg(const Source& source) {
 }
 
 Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges) {
+    silence_glib();
     const Handle handle = opened(source, read_text(source.path, kLargestSvg), edges);
     const RsvgRectangle page = page_of(handle.get(), width, height);
     if (!(page.width > 0.0 && page.height > 0.0))
