@@ -16,12 +16,11 @@ constexpr float kLargestHalf = 65504.0f;
 
 // The exposure of its own: the light that nine tenths of the picture stay under is
 // rendered as kBright, six stops up or down at most.
-constexpr double kBright = 0.7;
+constexpr double kBright = 0.6;
 constexpr double kShareBelowBright = 0.9;
 constexpr double kMostStops = 6.0;
 
-// The grade before the view: measured on landscapes to undo the flatness that an output
-// transform and haze leave.
+// The grade before the view: output transform and haze leave landscapes flat.
 constexpr float kMiddleGrey = 0.18f;
 constexpr float kContrast = 1.18f;
 constexpr float kSaturation = 1.15f;
