@@ -76,22 +76,25 @@ Pause_When_Done=Off
 
 }  // namespace
 
-void write_pov_assets(const fs::path& folder, const Terrain& terrain,
-                      const Options& options) {
+std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
+                                          const Options& options) {
     write_png(folder / "heights.png", quantised(terrain.heights).levels);
     write_png(folder / "ground.png", srgb(ground_albedo(terrain, options.ground,
                                                         ground_detail(terrain.heights))));
     write_png(folder / "sky_visibility.png",
               levels_of(sky_visibility(terrain.heights, terrain.spacing)));
+    return {"heights.png", "ground.png", "sky_visibility.png"};
 }
 
-void write_pov_scene(const fs::path& folder, const Shot& shot, const Terrain& terrain) {
+std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& shot,
+                                         const Terrain& terrain) {
     const std::string scene =
         pov_scene(shot, quantised(terrain.heights), terrain.spacing);
     write_exr(folder / ("sky_" + shot.name + ".exr"),
               sky_dome(shot.sun, shot.options.sky, kDomeHeight));
     write_text(folder / (shot.name + ".pov"), scene);
     write_text(folder / (shot.name + ".ini"), ini(shot));
+    return {"sky_" + shot.name + ".exr", shot.name + ".pov", shot.name + ".ini"};
 }
 
 }  // namespace cydonia::render

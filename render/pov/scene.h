@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "field/camera.h"
 #include "field/quantise.h"
@@ -24,11 +25,12 @@ struct Shot {
 // Pure.
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing);
 
-// Writes the shared assets (heights.png, ground.png) and per shot sky_<name>.exr,
+// Writes what all shots share (heights, ground, sky visibility) and, per shot, its sky,
 // <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants it.
-void write_pov_assets(const std::filesystem::path& folder, const Terrain& terrain,
-                      const Options& options);
-void write_pov_scene(const std::filesystem::path& folder, const Shot& shot,
-                     const Terrain& terrain);
+// Gives the names of the files.
+std::vector<std::string> write_pov_assets(const std::filesystem::path& folder,
+                                          const Terrain& terrain, const Options& options);
+std::vector<std::string> write_pov_scene(const std::filesystem::path& folder,
+                                         const Shot& shot, const Terrain& terrain);
 
 }  // namespace cydonia::render

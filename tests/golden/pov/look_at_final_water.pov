@@ -1,0 +1,170 @@
+// A hill
+//
+// A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
+//
+//     povray shot.ini
+//
+// It needs heights.png, ground.png, sky_visibility.png and sky_shot.exr beside it, and
+// draws shot.exr: linear light, Rec.709 primaries, no exposure.
+
+#version 3.7;
+
+// The land, in metres. Its heights stand at the centres of square cells.
+#declare LandWidth  = 1280; // west to east
+#declare LandDepth  = 1280; // south to north
+#declare Spacing    = 20; // from one height to the next
+#declare BaseHeight = 4; // the lowest ground
+#declare Relief     = 995; // from there to the highest
+
+// One POV-Ray unit in metres.
+#declare Unit = 10;
+
+// From metres east, north and up of the land's south-west corner to POV-Ray's space, where
+// x is east, y up and z north.
+#macro Towards(East, North, Up) (<East, Up, North>) #end
+#macro At(East, North, Up) (Towards(East, North, Up) / Unit) #end
+
+#declare LandSize = max(LandWidth, LandDepth);
+#declare Middle = At(LandWidth / 2, LandDepth / 2, BaseHeight + Relief / 2);
+
+// The sun, in degrees: clockwise from north, and above the horizon. The light's colours
+// below and the sky's image belong to this height; 1 is what a white sheet sends back.
+#declare SunAzimuth   = 305;
+#declare SunElevation = 25;
+#declare SunLight     = rgb <0.8717, 0.7284, 0.5492>;
+#declare SkyLight     = rgb <0.02608, 0.04857, 0.09919>; // of the whole sky, on level ground
+#declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
+#declare HazeLight    = rgb <0.1746, 0.2322, 0.2495>;
+#declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
+
+global_settings {
+    assumed_gamma 1.0
+    // Light from the sky and one bounce between the slopes.
+    radiosity {
+        count 160, 4000 nearest_count 10 error_bound 0.4 recursion_limit 1
+        pretrace_start 0.08 pretrace_end 0.004 minimum_reuse 0.006
+        normal off always_sample off brightness SkyFill
+    }
+}
+#default { finish { ambient 0 diffuse 1 } }
+
+camera {
+    location At(300, 100, 89.5)
+    sky Towards(0, 0, 1)
+    up y right image_width / image_height * x
+    angle 30 // across the frame's width
+    look_at At(700, 800, 971.5)
+}
+
+#declare ToSun = Towards(
+    sin(radians(SunAzimuth)) * cos(radians(SunElevation)),
+    cos(radians(SunAzimuth)) * cos(radians(SunElevation)),
+    sin(radians(SunElevation)));
+#declare SunDistance = 100 * LandSize / Unit;
+light_source {
+    Middle + SunDistance * ToSun
+    color SunLight
+    parallel point_at Middle
+    // Its disc, 0.53 degrees across.
+    area_light 0.00925 * SunDistance * x, 0.00925 * SunDistance * y, 7, 7
+    adaptive 1 jitter circular orient
+}
+
+// The whole sky around the land, the sun's disc left out.
+sky_sphere {
+    pigment {
+        image_map { exr "sky_shot.exr" map_type 1 interpolate 2 }
+    }
+}
+
+// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
+// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+#declare HazeHeight = LandSize / 8; // metres
+fog {
+    fog_type 2 up y
+    distance Visibility / 3.912 / Unit
+    fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
+    color HazeLight
+}
+
+// The ground's colour covers the cells, draped from above.
+#declare FromAbove = transform { rotate 90 * x scale At(LandWidth, LandDepth, Unit) }
+#declare GroundColour = pigment {
+    image_map { png "ground.png" gamma srgb interpolate 2 }
+}
+// Bumps finer than the heights catch the light close up; they cast no shadow.
+#declare Ground = texture {
+    pigment { GroundColour transform { FromAbove } }
+    normal { granite 0.3 scale 2 * Spacing / Unit }
+};
+
+// The heights are corners of the surface, which so ends half a cell inside the land.
+#declare Land = height_field {
+    png "heights.png" gamma 1.0 smooth
+    scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
+    translate At(Spacing / 2, Spacing / 2, BaseHeight)
+}
+object { Land texture { Ground } }
+
+// Around the land: its sides, and level country of the ground's mean colour at the height
+// of the lowest border, so that no view ends in nothing.
+#declare OutskirtsHeight = 4;
+#declare ColourAt = function { pigment { GroundColour } }
+#declare MeanColour = rgb 0;
+#for (I, 0, 31)
+    #for (J, 0, 31)
+        #declare MeanColour =
+            MeanColour + ColourAt((I + 0.5) / 32, (J + 0.5) / 32, 0) / 1024;
+    #end
+#end
+#declare MeanGround = texture { pigment { color MeanColour } }
+box {
+    At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
+    At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
+    clipped_by { Land }
+    texture { MeanGround }
+}
+plane {
+    y, OutskirtsHeight / Unit
+    clipped_by {
+        box {
+            At(Spacing / 2, Spacing / 2, -1e6),
+            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            inverse
+        }
+    }
+    // It thins out until the sky's horizon, which goes on below, is all that is left.
+    texture {
+        spherical
+        texture_map {
+            [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
+            [0.7 MeanGround ]
+        }
+        scale 2.5 * LandSize / Unit
+        translate Middle
+    }
+}
+
+// Water: dark by itself, it mirrors the sky where it is seen at a low angle.
+#declare WaterLevel = 60 + 0 * LandWidth;
+#declare Water = texture {
+    pigment { color rgb <0.004, 0.016, 0.022> }
+    normal {
+        average normal_map {
+            [1 bumps 0.05 scale 3 / Unit]
+            [1 bumps 0.05 scale 17 / Unit]
+            [1 bumps 0.05 scale 70 / Unit]
+        }
+    }
+    finish { reflection { 0, 1 fresnel on } conserve_energy }
+};
+plane {
+    y, WaterLevel / Unit
+    #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
+        clipped_by {
+            box { At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }
+        }
+    #end
+    texture { Water }
+    interior { ior 1.33 }
+}

@@ -1,0 +1,287 @@
+// The .pov as text against tests/golden/pov/, and as POV-Ray takes it. After a change
+// that is meant, CYDONIA_UPDATE_GOLDEN=1 in the environment writes the golden files anew.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "field/error.h"
+#include "field/files.h"
+#include "field/image.h"
+#include "render/cameras.h"
+#include "render/frames/povray.h"
+#include "render/pov/scene.h"
+#include "tests/field/temporary_folder.h"
+
+namespace cydonia::render {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = CameraOptions::Kind;
+
+constexpr int kSide = 64;
+constexpr double kSpacing = 20.0;
+
+Terrain hill(int side = kSide) {
+    Terrain t;
+    t.spacing = kSpacing;
+    t.heights = Field<float>(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const double d = std::hypot(x - 0.6 * side, y - 0.4 * side) / side;
+            t.heights(x, y) =
+                static_cast<float>(std::lround(1e3 * std::exp(-8.0 * d * d)));
+        }
+    return t;
+}
+
+CameraOptions options_of(Kind kind) {
+    CameraOptions c;
+    c.name = "shot";
+    c.kind = kind;
+    c.size = {64, 64};
+    c.eye = {metres(300.0), metres(100.0), metres(50.0)};
+    c.target = {metres(700.0), metres(800.0), metres(10.0)};
+    return c;
+}
+
+Shot shot_of(Kind kind, Quality quality) {
+    Shot shot;
+    shot.title = "A hill";
+    shot.name = "shot";
+    shot.sun = {radians(305.0), radians(25.0)};
+    shot.quality = quality;
+    shot.camera = place(options_of(kind), hill(), Quality::kFinal);
+    return shot;
+}
+
+std::string text_of(const Shot& shot) {
+    return pov_scene(shot, quantised(hill().heights), kSpacing);
+}
+
+void expect_golden(const std::string& name, const std::string& text) {
+    const fs::path file =
+        fs::path(CYDONIA_SOURCE_DIR) / "tests/golden/pov" / (name + ".pov");
+    const char* update = std::getenv("CYDONIA_UPDATE_GOLDEN");
+    if (update && std::string(update) == "1") write_text(file, text);
+    EXPECT_EQ(text, read_text(file)) << "meant? CYDONIA_UPDATE_GOLDEN=1 accepts it";
+}
+
+TEST(PovScene, OverheadDraft) {
+    expect_golden("overhead_draft", text_of(shot_of(Kind::kOverhead, Quality::kDraft)));
+}
+TEST(PovScene, ObliquePreview) {
+    expect_golden("oblique_preview", text_of(shot_of(Kind::kOblique, Quality::kPreview)));
+}
+TEST(PovScene, OrbitDraftWithoutHaze) {
+    Shot shot = shot_of(Kind::kOrbit, Quality::kDraft);
+    shot.options.haze.visibility = {};
+    expect_golden("orbit_draft_clear", text_of(shot));
+}
+TEST(PovScene, LookAtFinalWithWater) {
+    Shot shot = shot_of(Kind::kLookAt, Quality::kFinal);
+    shot.options.water = WaterOptions{metres(60.0)};
+    expect_golden("look_at_final_water", text_of(shot));
+}
+
+TEST(PovScene, FillChangesOneNumber) {
+    Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    std::string once = text_of(shot);
+    shot.options.sky.fill = 2.0;
+    const std::string twice = text_of(shot);
+    once.replace(once.find("SkyFill      = 1"), 16, "SkyFill      = 2");
+    EXPECT_EQ(once, twice);
+}
+
+// What may come in a title, on one line and never outside the comment.
+const std::string kHostileTitles[] = {
+    "\"quotes\" and 'more'",
+    "two\nlines\r\n#error \"out\"",
+    "*/ #error \"out\" /*",
+    "// /* never closed",
+    "back\\slash \\",
+    std::string("nul \0 bell \a escape \x1b[31m", 24),
+    "Z\xc3\xbcrich \xe5\xb1\xb1",
+    "broken \xff\xfe utf-8",
+    "{0} {} %s #declare LandWidth = 1;",
+};
+
+TEST(PovScene, TitlesStayInTheComment) {
+    const std::string plain = text_of(shot_of(Kind::kOblique, Quality::kDraft));
+    const std::string rest = plain.substr(plain.find('\n'));
+    for (const std::string& title : kHostileTitles) {
+        Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+        shot.title = title;
+        const std::string text = text_of(shot);
+        EXPECT_EQ(text.substr(text.find('\n')), rest) << title;
+        EXPECT_TRUE(text.starts_with("// "));
+        EXPECT_TRUE(std::none_of(text.begin(), text.end(), [](unsigned char c) {
+            return (c < 0x20 && c != '\n') || c == 0x7f;
+        })) << title;
+    }
+}
+
+TEST(PovScene, NamesThatAreNotNames) {
+    Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    for (const char* name : {"", "a b", "../up", "a\"", "a\nb", "a;b"}) {
+        shot.name = name;
+        EXPECT_THROW(text_of(shot), Error) << name;
+    }
+}
+
+class PovFolder : public testing::Test {
+  protected:
+    void SetUp() override {
+        try {
+            povray_program();
+        } catch (const Error& e) {
+            GTEST_SKIP() << e.what();
+        }
+    }
+    void write(const Shot& shot, const Terrain& terrain) {
+        write_pov_assets(folder_.path(), terrain, shot.options);
+        write_pov_scene(folder_.path(), shot, terrain);
+    }
+    Field<Rgb> render(const Shot& shot, int threads = 2) {
+        SilentProgress progress;
+        run_povray(folder_.path(), shot.name, threads, std::chrono::minutes(2), progress);
+        return read_exr_rgb(folder_ / (shot.name + ".exr"));
+    }
+    Field<Rgb> rendered(const Shot& shot, const Terrain& terrain, int threads = 2) {
+        write(shot, terrain);
+        return render(shot, threads);
+    }
+
+    TemporaryFolder folder_;
+};
+
+float brightest(const Field<Rgb>& frame) {
+    float result = 0.0f;
+    for (const Rgb& p : frame) result = std::max({result, p[0], p[1], p[2]});
+    return result;
+}
+
+double mean(const Field<Rgb>& frame) {
+    double sum = 0.0;
+    for (const Rgb& p : frame) sum += p[0] + p[1] + p[2];
+    return sum / (3.0 * static_cast<double>(frame.size()));
+}
+
+TEST_F(PovFolder, EveryKindAndQualityRendersWithoutAWarning) {
+    for (const Kind kind : {Kind::kOverhead, Kind::kOblique, Kind::kOrbit, Kind::kLookAt})
+        for (const Quality quality :
+             {Quality::kDraft, Quality::kPreview, Quality::kFinal}) {
+            Shot shot = shot_of(kind, quality);
+            if (kind == Kind::kLookAt) shot.options.water = WaterOptions{metres(60.0)};
+            write(shot, hill());
+            const fs::path ini = folder_ / "shot.ini";
+            write_text(ini, read_text(ini) + "Warning_File=warnings.txt\n");
+            const Field<Rgb> frame = render(shot);
+            EXPECT_EQ(frame.width(), 64);
+            EXPECT_EQ(frame.height(), 64);
+            EXPECT_GT(brightest(frame), 0.01f);
+            const std::string warnings = read_text(folder_ / "warnings.txt");
+            EXPECT_EQ(warnings.find("Parse Warning"), std::string::npos) << warnings;
+        }
+}
+
+TEST_F(PovFolder, HostileTitlesParse) {
+    Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    const Field<Rgb> plain = rendered(shot, hill());
+    for (const std::string& title : kHostileTitles) {
+        shot.title = title;
+        write_text(folder_ / "shot.pov", text_of(shot));
+        EXPECT_EQ(render(shot), plain) << title;
+    }
+}
+
+TEST_F(PovFolder, DraftsAreEqualWithOneThreadAndFour) {
+    const Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    const Field<Rgb> one = rendered(shot, hill(), 1);
+    EXPECT_EQ(render(shot, 4), one);
+}
+
+// Cell by cell: what is painted at a cell of ground.png is seen in that cell's pixel of
+// the overhead frame, and only there.
+TEST_F(PovFolder, GroundImageLiesOnItsCells) {
+    Terrain flat;
+    flat.spacing = kSpacing;
+    flat.heights = Field<float>(kSide, kSide, 0.0f);
+    const Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    write(shot, flat);
+    Field<Rgb8> ground(kSide, kSide);
+    ground(20, 9) = {255, 255, 255};
+    write_png(folder_ / "ground.png", ground);
+    const Field<Rgb> frame = render(shot);
+    const float white = frame(20, 9)[1];
+    EXPECT_GT(white, 0.1f);
+    for (int y = 1; y < kSide - 1; ++y)
+        for (int x = 1; x < kSide - 1; ++x) {
+            const bool here = x == 20 && y == 9;
+            EXPECT_EQ(frame(x, y)[1] > 0.02f * white, here) << x << " " << y;
+        }
+}
+
+// A bump at a cell is lit on one side of that cell's pixel and dark on the other, as
+// much.
+TEST_F(PovFolder, HeightsLieOnTheirCells) {
+    Terrain bump;
+    bump.spacing = kSpacing;
+    bump.heights = Field<float>(kSide, kSide, 0.0f);
+    bump.heights(20, 9) = 10.0f;
+    Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    shot.sun = {radians(270.0), radians(45.0)};  // in the west
+    shot.options.sky.fill = 0.0;
+    write(shot, bump);
+    write_png(folder_ / "ground.png", Field<Rgb8>(kSide, kSide, {128, 128, 128}));
+    const Field<Rgb> frame = render(shot);
+    const float flat = frame(40, 40)[1];
+    EXPECT_NEAR(frame(20, 9)[1], flat, 0.01f * flat);
+    EXPECT_GT(frame(19, 9)[1], 1.02f * flat);
+    EXPECT_LT(frame(21, 9)[1], 0.98f * flat);
+    EXPECT_NEAR(frame(19, 9)[1] - flat, flat - frame(21, 9)[1], 0.01f * flat);
+}
+
+// A white sheet on level ground sends back the sun's colour times the sine of its
+// elevation: the image's gamma, the light's unit and the pixels' scale are right.
+TEST_F(PovFolder, WhiteGroundSendsBackTheSun) {
+    Terrain flat;
+    flat.spacing = kSpacing;
+    flat.heights = Field<float>(kSide, kSide, 0.0f);
+    Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    shot.options.sky.fill = 0.0;
+    write(shot, flat);
+    write_png(folder_ / "ground.png", Field<Rgb8>(kSide, kSide, {255, 255, 255}));
+    const double white = render(shot)(40, 40)[1];
+    const std::string text = text_of(shot);
+    const std::size_t at = text.find("SunLight     = rgb <");
+    const std::string green = text.substr(text.find(", ", at) + 2);
+    EXPECT_NEAR(white, std::stod(green) * std::sin(shot.sun.elevation), 2e-3);
+    write_png(folder_ / "ground.png", Field<Rgb8>(kSide, kSide, {128, 128, 128}));
+    EXPECT_NEAR(render(shot)(40, 40)[1] / white, 0.2158, 1e-3);  // sRGB 128, decoded
+}
+
+TEST_F(PovFolder, SkyIsBrightestAroundTheSun) {
+    Shot shot = shot_of(Kind::kLookAt, Quality::kDraft);
+    shot.sun = {radians(60.0), radians(20.0)};
+    shot.options.haze.visibility = {};
+    Terrain flat;
+    flat.spacing = kSpacing;
+    flat.heights = Field<float>(kSide, kSide, 0.0f);
+    const auto towards = [&](double azimuth) {
+        shot.camera.eye = {640.0, 640.0, 100.0};
+        shot.camera.target = shot.camera.eye +
+                             100.0 * direction_to({radians(azimuth), shot.sun.elevation});
+        return mean(rendered(shot, flat));
+    };
+    const double sunward = towards(60.0);
+    for (const double azimuth : {0.0, 120.0, 240.0, 300.0})
+        EXPECT_GT(sunward, 1.2 * towards(azimuth)) << azimuth;
+}
+
+}  // namespace
+}  // namespace cydonia::render
