@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "app/pipeline/cache.h"
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
@@ -36,41 +33,46 @@ render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
             job.request.quality};
 }
 
-Made emit(Job& job) {
-    const fs::path folder = job.folder / "pov";
+// Names in the pov folder as outputs.
+std::vector<std::string> in_pov(std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "pov/");
+    return names;
+}
+
+Made emit_assets(Job& job) {
+    make_folder(job.folder / "pov");
+    return {in_pov(render::write_pov_assets(job.folder / "pov", job.land.finished(),
+                                            job.spec.render))};
+}
+
+Made emit_shot(Job& job, const render::CameraOptions& camera) {
     const Terrain& terrain = job.land.finished();
-    make_folder(folder);
-    render::write_pov_assets(folder, terrain, job.spec.render);
-    Made made{pov_assets(), {{"frames", Json::array()}}};
-    for (const render::CameraOptions& camera : job.cameras()) {
-        const render::Shot shot = shot_of(camera, job, terrain);
-        render::write_pov_scene(folder, shot, terrain);
-        std::ranges::copy(pov_files(shot.name), std::back_inserter(made.outputs));
-        made.result["frames"].push_back({{"name", shot.name},
-                                         {"sun", json_of(shot.sun)},
-                                         {"width", shot.camera.width},
-                                         {"height", shot.camera.height}});
-    }
-    return made;
+    const render::Shot shot = shot_of(camera, job, terrain);
+    return {
+        in_pov(render::write_pov_scene(job.folder / "pov", shot, terrain)),
+        {{"sun", json_of(shot.sun)}, {"size", {shot.camera.width, shot.camera.height}}}};
+}
+
+std::uint64_t emit_key(const Job& job, const std::string& what) {
+    return hash_text(fmt::format("{:016x} {:016x} {} {} {}\n{}", job.land.key(),
+                                 job.program, what, name_of(job.request.quality),
+                                 job.spec.title, job.spec.render_text));
 }
 
 }  // namespace
 
-std::vector<std::string> pov_assets() { return {"pov/heights.png", "pov/ground.png"}; }
-
-std::vector<std::string> pov_files(const std::string& frame) {
-    return {"pov/sky_" + frame + ".exr", "pov/" + frame + ".pov",
-            "pov/" + frame + ".ini"};
+Step assets_step(Job& job) {
+    return {kAssetsStep, Goal::kEmit, memory::of_emit(job.cells()),
+            [&job] { return emit_key(job, "assets"); },
+            [&job] { return emit_assets(job); }};
 }
 
-Step emit_step(Job& job) {
-    return {"emit", Goal::kEmit, memory::of_emit(job.cells()),
-            [&job] {
-                return hash_text(fmt::format("{:016x} {:016x} {} {}\n{}", job.land.key(),
-                                             job.program, name_of(job.request.quality),
-                                             job.spec.title, job.spec.render_text));
-            },
-            [&job] { return emit(job); }};
+Step shot_step(Job& job, const render::CameraOptions& camera) {
+    return {shot_step_name(camera.name), Goal::kEmit, memory::of_emit(job.cells()),
+            [&job, camera] { return emit_key(job, "shot " + camera.name); },
+            [&job, camera] { return emit_shot(job, camera); }};
 }
+
+std::string shot_step_name(const std::string& frame) { return "emit " + frame; }
 
 }  // namespace cydonia

@@ -41,18 +41,27 @@ std::chrono::seconds time_limit(render::Quality quality) {
 
 std::uint64_t trace_key(const Job& job, const std::string& frame) {
     std::string text = "trace";
-    for (const auto& files : {pov_assets(), pov_files(frame)}) {
-        for (const std::string& file : files) {
+    for (const std::string& step : {std::string(kAssetsStep), shot_step_name(frame)}) {
+        for (const std::string& file : job.ledger.outputs_of(step)) {
             text += fmt::format(" {:016x}", hash_of_file(job.folder / file));
         }
     }
     return hash_text(text);
 }
 
+// A picture that POV-Ray cut short without a word (a full disk) is no picture.
+void expect_whole(const fs::path& picture) try {
+    read_exr_rgb(picture);
+} catch (const Error& error) {
+    std::error_code none;
+    fs::remove(picture, none);
+    throw failure("POV-Ray left half a picture: {}", error.what());
+}
+
 Made trace(Job& job, const std::string& frame) {
-    const int threads = thread_count();
-    render::run_povray(job.folder / "pov", frame, threads,
+    render::run_povray(job.folder / "pov", frame, thread_count(),
                        time_limit(job.request.quality), job.progress);
+    expect_whole(job.folder / "pov" / (frame + ".exr"));
     return {{"pov/" + frame + ".exr"}};
 }
 

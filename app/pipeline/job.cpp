@@ -39,7 +39,10 @@ std::vector<Step> steps_of(Job& job) {
     std::vector<Step> steps = stage_steps(job);
     steps.push_back(export_step(job));
     steps.push_back(check_step(job));
-    steps.push_back(emit_step(job));
+    steps.push_back(assets_step(job));
+    for (const render::CameraOptions& camera : job.cameras()) {
+        steps.push_back(shot_step(job, camera));
+    }
     for (const render::CameraOptions& camera : job.cameras()) {
         for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
     }

@@ -40,12 +40,13 @@ struct Job {
 std::vector<Step> stage_steps(Job& job);
 Step export_step(Job& job);
 Step check_step(Job& job);
-Step emit_step(Job& job);
+Step assets_step(Job& job);
+Step shot_step(Job& job, const render::CameraOptions& camera);
 std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera);
 
-// What the emit step writes, relative to the output folder: for all frames, and for one.
-std::vector<std::string> pov_assets();
-std::vector<std::string> pov_files(const std::string& frame);
+// A frame is traced from what these steps wrote.
+inline constexpr const char* kAssetsStep = "emit land";
+std::string shot_step_name(const std::string& frame);
 
 // Every step of the scene, whatever the goal.
 std::vector<Step> steps_of(Job& job);

@@ -62,6 +62,11 @@ const Entry* Ledger::finished(const std::string& step, std::uint64_t key) const 
     return intact(folder_, found->second) ? &found->second : nullptr;
 }
 
+std::vector<std::string> Ledger::outputs_of(const std::string& step) const {
+    const auto found = entries_.find(step);
+    return found == entries_.end() ? std::vector<std::string>{} : found->second.outputs;
+}
+
 const Entry& Ledger::record(const std::string& step, Entry entry) {
     entry.sizes.clear();
     for (const std::string& output : entry.outputs) {

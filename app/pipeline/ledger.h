@@ -32,6 +32,9 @@ class Ledger {
     // there.
     const Entry* finished(const std::string& step, std::uint64_t key) const;
 
+    // The files that the step made when it last ran.
+    std::vector<std::string> outputs_of(const std::string& step) const;
+
     // Sets down a finished step; files that its last run made and this one did not are
     // removed.
     const Entry& record(const std::string& step, Entry entry);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLongestGround = 4096, kFinestGround = 4;  // pixels a side; a cell
-constexpr int kDomeHeight = 512;
+constexpr int kDomeHeight = 256;
 
 std::uint8_t srgb8(float linear) {
     const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
