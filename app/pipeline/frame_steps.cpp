@@ -9,6 +9,7 @@
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "app/threads.h"
+#include "field/error.h"
 #include "field/files.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
