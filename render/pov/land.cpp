@@ -34,7 +34,7 @@ constexpr const char* kFadingGround =
             [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
             [0.7 MeanGround ]
         }
-        scale 2.5 * LandSize / Unit
+        scale 1.4 * LandSize / Unit
         translate Middle
     }
 )";
@@ -52,13 +52,32 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-constexpr const char* kGroundUnderRadiosity =
-    R"(// Bumps finer than the heights catch the light close up; they cast no shadow.
-#declare Ground = texture {
-    pigment { GroundColour transform { FromAbove } }
-    normal { granite 0.3 scale 2 * Spacing / Unit }
-};
-)";
+// Where a pixel shows less than a quarter of a cell, bumps finer than the heights catch
+// the light; farther away they would only flicker.
+bool shows_bumps(const Camera& camera, double spacing) {
+    if (camera.projection == Camera::Projection::kOrthographic) return false;
+    const double across = 2.0 * std::tan(0.5 * camera.field_of_view);
+    const double pixel = across * length(camera.target - camera.eye) / camera.width;
+    return pixel < 0.25 * spacing;
+}
+
+std::string ground_under_radiosity(const Camera& camera, double spacing) {
+    return fmt::format(R"(#declare Ground = texture {{
+    pigment {{ GroundColour transform {{ FromAbove }} }}{}
+}};
+)",
+                       shows_bumps(camera, spacing)
+                           ? "\n    normal { granite 0.12 scale 3 * Spacing / Unit }"
+                           : "");
+}
+
+// Flat triangles are what the shadow check casts, so a map shows them. POV-Ray's smooth
+// normals (the surface stays) are stored in 16 bits over a grid as high as 65535 and as
+// wide as its samples: off by up to Spacing / Relief radians, too little to show in
+// perspective, where facets would.
+const char* smoothness(const Camera& camera) {
+    return camera.projection == Camera::Projection::kPerspective ? " smooth" : "";
+}
 
 }  // namespace
 
@@ -89,7 +108,7 @@ std::string land_numbers(const Heights16& heights, double spacing) {
         number(heights.range), number(metres_a_unit(std::max(width, depth))));
 }
 
-std::string ground(const Shot& shot) {
+std::string ground(const Shot& shot, double spacing) {
     return fmt::format(
         R"(// The ground's colour covers the cells, draped from above.
 #declare FromAbove = transform {{ rotate 90 * x scale At(LandWidth, LandDepth, Unit) }}
@@ -99,14 +118,16 @@ std::string ground(const Shot& shot) {
 {}
 // The heights are corners of the surface, which so ends half a cell inside the land.
 #declare Land = height_field {{
-    png "heights.png" gamma 1.0 smooth
+    png "heights.png" gamma 1.0{}
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
 }}
 object {{ Land texture {{ Ground }} }}
 
 )",
-        has_radiosity(shot.quality) ? kGroundUnderRadiosity : kGroundUnderVisibility);
+        has_radiosity(shot.quality) ? ground_under_radiosity(shot.camera, spacing)
+                                    : kGroundUnderVisibility,
+        smoothness(shot.camera));
 }
 
 std::string outskirts(const Shot& shot, const Heights16& heights) {

@@ -100,7 +100,7 @@ sky_sphere {{
 std::string haze() {
     return R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
 // distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-#declare HazeHeight = LandSize / 8; // metres
+#declare HazeHeight = LandSize / 16; // metres
 fog {
     fog_type 2 up y
     distance Visibility / 3.912 / Unit

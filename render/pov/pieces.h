@@ -31,7 +31,7 @@ std::string camera(const Camera& camera);
 std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
 std::string haze();
-std::string ground(const Shot& shot);
+std::string ground(const Shot& shot, double spacing);
 std::string outskirts(const Shot& shot, const Heights16& heights);
 std::string water(const Shot& shot);
 

@@ -79,7 +79,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::sun(shot);
     text += pov::sky(shot);
     if (pov::has_haze(shot)) text += pov::haze();
-    text += pov::ground(shot);
+    text += pov::ground(shot, spacing);
     text += pov::outskirts(shot, heights);
     if (shot.options.water) text += pov::water(shot);
     return text;

@@ -79,7 +79,7 @@ sky_sphere {
 
 // Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
 // distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-#declare HazeHeight = LandSize / 8; // metres
+#declare HazeHeight = LandSize / 16; // metres
 fog {
     fog_type 2 up y
     distance Visibility / 3.912 / Unit
@@ -92,10 +92,8 @@ fog {
 #declare GroundColour = pigment {
     image_map { png "ground.png" gamma srgb interpolate 2 }
 }
-// Bumps finer than the heights catch the light close up; they cast no shadow.
 #declare Ground = texture {
     pigment { GroundColour transform { FromAbove } }
-    normal { granite 0.3 scale 2 * Spacing / Unit }
 };
 
 // The heights are corners of the surface, which so ends half a cell inside the land.
@@ -140,7 +138,7 @@ plane {
             [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
             [0.7 MeanGround ]
         }
-        scale 2.5 * LandSize / Unit
+        scale 1.4 * LandSize / Unit
         translate Middle
     }
 }

@@ -86,7 +86,7 @@ sky_sphere {
 
 // The heights are corners of the surface, which so ends half a cell inside the land.
 #declare Land = height_field {
-    png "heights.png" gamma 1.0 smooth
+    png "heights.png" gamma 1.0
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
 }
