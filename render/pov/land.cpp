@@ -32,9 +32,9 @@ constexpr const char* kFadingGround =
         spherical
         texture_map {
             [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
-            [0.7 MeanGround ]
+            [0.6 MeanGround ]
         }
-        scale 1.4 * LandSize / Unit
+        scale 1.15 * LandSize / Unit
         translate Middle
     }
 )";
@@ -52,13 +52,31 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-// Where a pixel shows less than a quarter of a cell, bumps finer than the heights catch
-// the light; farther away they would only flicker.
-bool shows_bumps(const Camera& camera, double spacing) {
-    if (camera.projection == Camera::Projection::kOrthographic) return false;
+// What a pixel covers where the camera looks, metres.
+double pixel_size(const Camera& camera) {
+    if (camera.projection == Camera::Projection::kOrthographic)
+        return camera.frame_width / camera.width;
     const double across = 2.0 * std::tan(0.5 * camera.field_of_view);
-    const double pixel = across * length(camera.target - camera.eye) / camera.width;
-    return pixel < 0.25 * spacing;
+    return across * length(camera.target - camera.eye) / camera.width;
+}
+
+// Close up, bumps finer than the heights catch the light; farther away they would only
+// flicker.
+bool shows_bumps(const Camera& camera, double spacing) {
+    return camera.projection == Camera::Projection::kPerspective &&
+           pixel_size(camera) < 0.25 * spacing;
+}
+
+// Waves of three lengths, without those that are too small to be seen.
+std::string waves(const Camera& camera) {
+    std::string lengths;
+    for (const int metres : {3, 17, 70})
+        if (metres > pixel_size(camera))
+            lengths +=
+                fmt::format("            [1 bumps 0.05 scale {} / Unit ]\n", metres);
+    if (lengths.empty()) return "";
+    return fmt::format(
+        "    normal {{\n        average normal_map {{\n{}        }}\n    }}\n", lengths);
 }
 
 std::string ground_under_radiosity(const Camera& camera, double spacing) {
@@ -174,14 +192,7 @@ std::string water(const Shot& shot) {
 #declare WaterLevel = {} + {} * LandWidth;
 #declare Water = texture {{
     pigment {{ color rgb <0.004, 0.016, 0.022> }}
-    normal {{
-        average normal_map {{
-            [1 bumps 0.05 scale 3 / Unit]
-            [1 bumps 0.05 scale 17 / Unit]
-            [1 bumps 0.05 scale 70 / Unit]
-        }}
-    }}
-    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
+{}    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
 }};
 plane {{
     y, WaterLevel / Unit
@@ -194,7 +205,7 @@ plane {{
     interior {{ ior 1.33 }}
 }}
 )",
-                       number(level.metres), number(level.fraction),
+                       number(level.metres), number(level.fraction), waves(shot.camera),
                        has_radiosity(shot.quality) ? "" : " emission SkyLight * SkyFill");
 }
 

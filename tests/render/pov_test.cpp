@@ -172,12 +172,13 @@ double mean(const Field<Rgb>& frame) {
 }
 
 TEST_F(PovFolder, EveryKindAndQualityRendersWithoutAWarning) {
+    write_pov_assets(folder_.path(), hill(), Options());
     for (const Kind kind : {Kind::kOverhead, Kind::kOblique, Kind::kOrbit, Kind::kLookAt})
         for (const Quality quality :
              {Quality::kDraft, Quality::kPreview, Quality::kFinal}) {
             Shot shot = shot_of(kind, quality);
             if (kind == Kind::kLookAt) shot.options.water = WaterOptions{metres(60.0)};
-            write(shot, hill());
+            write_pov_scene(folder_.path(), shot, hill());
             const fs::path ini = folder_ / "shot.ini";
             write_text(ini, read_text(ini) + "Warning_File=warnings.txt\n");
             const Field<Rgb> frame = render(shot);
@@ -279,11 +280,14 @@ TEST_F(PovFolder, SkyIsBrightestAroundTheSun) {
     Terrain flat;
     flat.spacing = kSpacing;
     flat.heights = Field<float>(kSide, kSide, 0.0f);
+    write(shot, flat);
     const auto towards = [&](double azimuth) {
         shot.camera.eye = {640.0, 640.0, 100.0};
         shot.camera.target = shot.camera.eye +
                              100.0 * direction_to({radians(azimuth), shot.sun.elevation});
-        return mean(rendered(shot, flat));
+        write_text(folder_ / "shot.pov",
+                   pov_scene(shot, quantised(flat.heights), kSpacing));
+        return mean(render(shot));
     };
     const double sunward = towards(60.0);
     for (const double azimuth : {0.0, 120.0, 240.0, 300.0})

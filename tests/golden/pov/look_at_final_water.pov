@@ -136,9 +136,9 @@ plane {
         spherical
         texture_map {
             [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
-            [0.7 MeanGround ]
+            [0.6 MeanGround ]
         }
-        scale 1.4 * LandSize / Unit
+        scale 1.15 * LandSize / Unit
         translate Middle
     }
 }
@@ -149,9 +149,8 @@ plane {
     pigment { color rgb <0.004, 0.016, 0.022> }
     normal {
         average normal_map {
-            [1 bumps 0.05 scale 3 / Unit]
-            [1 bumps 0.05 scale 17 / Unit]
-            [1 bumps 0.05 scale 70 / Unit]
+            [1 bumps 0.05 scale 17 / Unit ]
+            [1 bumps 0.05 scale 70 / Unit ]
         }
     }
     finish { reflection { 0, 1 fresnel on } conserve_energy }

@@ -136,9 +136,9 @@ plane {
         spherical
         texture_map {
             [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
-            [0.7 MeanGround ]
+            [0.6 MeanGround ]
         }
-        scale 1.4 * LandSize / Unit
+        scale 1.15 * LandSize / Unit
         translate Middle
     }
 }
