@@ -15,7 +15,9 @@ namespace {
 
 // Lit land falls at this share of the light's own slope, on average, so that it casts
 // nothing.
-constexpr double kLitShare = 0.5;
+constexpr double kLitShare = 0.44;
+// A crest stands on flanks this steep where land around it is held down.
+constexpr double kCrestSlope = 3.0;
 // Relief of the land from the grain to sixteen times its length.
 constexpr int kGrainOctaves = 5;
 // Width of the anti-shadow band (step 4), of the terrain's width.
@@ -58,14 +60,17 @@ Field<float> features(const Options& options, const Terrain& base,
                                        hash_of({context.seed, key("edge weights")}))](
             const Slopes& slopes) { return scaled(graph, slopes, plan.frame); };
 
+    const auto uniform = [&](double factor) {
+        return Slopes{Field<float>(width, height, static_cast<float>(factor))};
+    };
+
     // Complementary land first: shadows end on it.
     const std::vector<float> lowest_crests = crest_heights(plan, land);
     const float highest = *std::max_element(lowest_crests.begin(), lowest_crests.end());
     const Field<std::uint8_t> band = anti_shadow(image.target, kAntiShadowReach * width);
     const Field<float> bound =
         height_bound(land, image.target, band, image.sun.azimuth, plan.rise, highest);
-    const distance::Graph gentle =
-        sloped({Field<float>(width, height, static_cast<float>(lit))});
+    const distance::Graph gentle = sloped(uniform(lit));
     const Field<float> ground =
         maximum(land, spread(gentle, secondary_features(options, gentle, land, bound,
                                                         band, context.seed)));
@@ -82,6 +87,8 @@ Field<float> features(const Options& options, const Terrain& base,
                       ceiling(sloped(end_slopes(plan, lit)), shadow_ends(plan, ground)));
     heights =
         minimum(std::move(heights), ceiling(sloped(crest_slopes(plan, lit)), primary));
+    heights =
+        maximum(std::move(heights), spread(sloped(uniform(kCrestSlope / mean)), primary));
     heights = minimum(std::move(heights),
                       shadow_ceiling(plan, crests, inside_relief(plan, context.seed)));
     for (std::size_t i = 0; i < heights.size(); ++i)

@@ -19,7 +19,7 @@ constexpr float kFrontFactor = 2.0f;
 // Inside a shadow only its line of light is the limit.
 constexpr float kInsideFactor = 3.0f;
 // Across the light land may rise from crests this much faster than along it.
-constexpr double kAcross = 2.5;
+constexpr double kAcross = 1.5;
 
 Field<float> uniform(const ShadowPlan& plan, double factor) {
     return Field<float>(plan.width(), plan.height(), static_cast<float>(factor));
