@@ -8,9 +8,10 @@
 namespace cydonia::render {
 namespace {
 
-constexpr int kSmallest = 16;        // pixels
-constexpr double kSkyMargin = 0.12;  // of the frame's height, over the highest peak
-constexpr int kLooks = 256;          // samples a side that stand for the land in a frame
+constexpr int kSmallest = 16;         // pixels
+constexpr double kSkyMargin = 0.22;   // of the frame's height, over the skyline
+const double kSteep = radians(60.0);  // an oblique view from above this has no skyline
+constexpr int kLooks = 256;           // samples a side that stand for the land in a frame
 
 int scaled(int pixels, Quality quality) {
     const int thirds = 1 + static_cast<int>(quality);
@@ -126,42 +127,61 @@ double depression(const Camera& c, const Vec3& p) {
     return std::atan2(c.eye.z - p.z, forward);
 }
 
-// Turned down until the near edge is out of the frame, and up again until every peak is
-// in it with some sky.
+// Turned until the highest skyline stands kSkyMargin below the frame's top.
 void aim(Camera& c, const Terrain& t) {
-    const Vec3 middle = centre(t);
-    const double half = half_height(c);
-    double near_edge = radians(90.0), peak = radians(90.0);
+    double skyline = radians(90.0);
     look_over(t, [&](const Vec3& p) {
         const Vec3 s = seen(c, p);
-        if (std::abs(s.x) > std::tan(0.5 * c.field_of_view) * s.z) return;
-        peak = std::min(peak, depression(c, p));
-        const double inset =
-            1.5 * std::max({t.spacing, t.width() / kLooks, t.depth() / kLooks});
-        const bool border = p.x < inset || p.y < inset || p.x > t.width() - inset ||
-                            p.y > t.depth() - inset;
-        if (border && s.z < seen(c, middle).z)
-            near_edge = std::min(near_edge, depression(c, p));
+        if (std::abs(s.x) <= std::tan(0.5 * c.field_of_view) * s.z)
+            skyline = std::min(skyline, depression(c, p));
     });
-    const double down =
-        std::min(near_edge - half, peak + half * (1.0 - 2.0 * kSkyMargin));
+    const double down = skyline + half_height(c) * (1.0 - 2.0 * kSkyMargin);
     if (std::abs(down) > radians(80.0)) return;
     const Vec3 ahead{c.target.x - c.eye.x, c.target.y - c.eye.y, 0.0};
     c.target = c.eye + ahead + Vec3{0.0, 0.0, -length(ahead) * std::tan(down)};
 }
 
-// The land's diagonal is longer than any side seen, so the answer lies below `too_far`.
-Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
-    double too_near = 0.0;
-    double too_far =
-        2.0 * std::hypot(t.width(), t.depth()) / std::tan(0.5 * o.field_of_view);
-    for (int i = 0; i < 50; ++i) {
-        const double middle = 0.5 * (too_near + too_far);
-        (far_side_fits(around(c, o, t, middle), t) ? too_far : too_near) = middle;
+// Whether the border of the near half of the land is in the frame.
+bool near_edge_shows(const Camera& c, const Terrain& t) {
+    const double inset =
+        1.5 * std::max({t.spacing, t.width() / kLooks, t.depth() / kLooks});
+    const double half_depth = seen(c, centre(t)).z;
+    bool shows = false;
+    look_over(t, [&](const Vec3& p) {
+        const bool border = p.x < inset || p.y < inset || p.x > t.width() - inset ||
+                            p.y > t.depth() - inset;
+        shows = shows || (border && seen(c, p).z < half_depth && in_frame(c, p));
+    });
+    return shows;
+}
+
+// The largest distance below `too_far` that pleases.
+template <class Pleases>
+double farthest(double too_far, const Pleases& pleases) {
+    double near = 0.0;
+    for (int i = 0; i < 30; ++i) {
+        const double middle = 0.5 * (near + too_far);
+        (pleases(middle) ? near : too_far) = middle;
     }
-    Camera placed = around(c, o, t, too_far);
-    if (o.elevation < radians(60.0)) aim(placed, t);
-    return placed;
+    return near;
+}
+
+// From as far as the far side of the land still fills the frame and the near edge stays
+// out of it.
+Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
+    // The land's diagonal is longer than any side seen, so the answer lies below.
+    const double too_far =
+        2.0 * std::hypot(t.width(), t.depth()) / std::tan(0.5 * o.field_of_view);
+    const double whole = farthest(
+        too_far, [&](double d) { return !far_side_fits(around(c, o, t, d), t); });
+    if (o.elevation >= kSteep) return around(c, o, t, whole);
+    const auto aimed = [&](double distance) {
+        Camera placed = around(c, o, t, distance);
+        aim(placed, t);
+        return placed;
+    };
+    return aimed(
+        farthest(whole, [&](double d) { return !near_edge_shows(aimed(d), t); }));
 }
 
 Camera orbit(const Camera& c, const CameraOptions& o, const Terrain& t) {

@@ -9,6 +9,10 @@ namespace {
 
 // Share of the way down to the ground that relief may take under a line of light.
 constexpr double kRelief = 0.5;
+// A crest takes the cells this far in front of the shadow: two, as on a single line of
+// cells oblique crests have gaps, and off the border itself, where rounding would make
+// teeth.
+constexpr double kCrest[] = {0.3, 1.0};
 
 float sample(const Field<float>& field, GridPoint p) {
     const double x = std::clamp(p.x, 0.0, field.width() - 1.0);
@@ -43,9 +47,13 @@ std::vector<float> crest_heights(const ShadowPlan& plan, const Field<float>& gro
 Field<float> primary_features(const ShadowPlan& plan, const std::vector<float>& crests) {
     Field<float> heights(plan.width(), plan.height(), kNowhere);
     for (std::size_t i = 0; i < crests.size(); ++i) {
-        const Cell c = cell_of(plan.start(plan.runs[i]));
-        if (heights.contains(c.x, c.y))
-            heights(c.x, c.y) = std::max(heights(c.x, c.y), crests[i]);
+        const GridPoint start = plan.start(plan.runs[i]);
+        for (double before : kCrest) {
+            const Cell c = cell_of({start.x - before * plan.frame.along.x,
+                                    start.y - before * plan.frame.along.y});
+            if (heights.contains(c.x, c.y))
+                heights(c.x, c.y) = std::max(heights(c.x, c.y), crests[i]);
+        }
     }
     return heights;
 }
