@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMega = 1'000'000;
-constexpr std::uint64_t kProgram = 90 * kMega;  // code, libraries, thread pools
+constexpr std::uint64_t kProgram = 160 * kMega;  // code, libraries, thread pools
+constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
 
 // The first number of a file such as the kernel's accounts; unlimited when there is none
 // ("max").
@@ -56,27 +57,40 @@ std::uint64_t address_space_limit() {
     return limit.rlim_cur;
 }
 
+// The ground's picture has up to four pixels a cell side, 4096 a side at most.
+std::uint64_t ground_pixels(std::uint64_t cells) {
+    return std::max(cells, std::min(16 * cells, std::uint64_t{4096} * 4096));
+}
+
 }  // namespace
 
 namespace memory {
 
-std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells) {
+std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
+                       std::uint64_t threads) {
     struct BytesPerCell {
-        std::uint64_t operator()(const distance::Options&) const { return 160; }
-        std::uint64_t operator()(const pareidolia::Options&) const { return 200; }
+        std::uint64_t threads;
+        // Every thread keeps the costs of the feature it is at.
+        std::uint64_t operator()(const distance::Options&) const {
+            return 70 + 20 * threads;
+        }
+        std::uint64_t operator()(const pareidolia::Options&) const { return 160; }
     };
-    return kProgram + cells * std::visit(BytesPerCell{}, options);
+    return kProgram + cells * std::visit(BytesPerCell{threads}, options);
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }
-std::uint64_t of_check(std::uint64_t cells) { return kProgram + 100 * cells; }
-std::uint64_t of_emit(std::uint64_t cells) { return kProgram + 80 * cells; }
+std::uint64_t of_check(std::uint64_t cells) { return kProgram + 75 * cells; }
 
-std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels) {
-    return kProgram + 150 * cells + 40 * pixels;
+std::uint64_t of_emit(std::uint64_t cells) {
+    return kProgram + 18 * ground_pixels(cells) + 15 * cells;
 }
 
-std::uint64_t of_delivery(std::uint64_t pixels) { return kProgram + 80 * pixels; }
+std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels) {
+    return kProgram + kPovray + 4 * ground_pixels(cells) + 24 * cells + 28 * pixels;
+}
+
+std::uint64_t of_delivery(std::uint64_t pixels) { return kProgram + 48 * pixels; }
 
 std::uint64_t available() {
     return std::min({machine_available(), group_available(), address_space_limit()});

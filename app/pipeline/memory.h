@@ -7,12 +7,14 @@
 
 namespace cydonia {
 
-// The most memory each step takes, in bytes, predicted before it is taken. Measured peaks
-// over samples from 256 to 4096, rounded up; tests/app/memory_test.cpp and
-// bench/memory.sh hold them against real runs. `cells` are samples of the terrain.
+// The most memory each step takes, in bytes, predicted before it is taken: bytes a cell
+// and a pixel as measured at 512, 1024 and 2048 samples, rounded up. bench/memory.sh
+// holds them against real runs. `cells` are samples of the terrain, `pixels` those of a
+// frame.
 namespace memory {
 
-std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells);
+std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
+                       std::uint64_t threads);
 std::uint64_t of_export(std::uint64_t cells);
 std::uint64_t of_check(std::uint64_t cells);
 std::uint64_t of_emit(std::uint64_t cells);

@@ -6,6 +6,7 @@
 #include "app/pipeline/cache.h"
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
+#include "app/threads.h"
 #include "field/dem.h"
 #include "field/files.h"
 #include "render/preview.h"
@@ -54,12 +55,13 @@ Made export_terrain(Job& job) {
 }  // namespace
 
 std::vector<Step> stage_steps(Job& job) {
+    const auto threads = static_cast<std::uint64_t>(thread_count());
     std::vector<Step> steps;
     for (int stage = 1; stage <= job.land.stages(); ++stage) {
         const StageOptions& options =
             job.spec.stages[static_cast<std::size_t>(stage - 1)].options;
         steps.push_back({fmt::format("{} {}", stage, method_of(options).name),
-                         Goal::kTerrain, memory::of_stage(options, job.cells()),
+                         Goal::kTerrain, memory::of_stage(options, job.cells(), threads),
                          [&job, stage] { return job.land.key(stage); },
                          [&job, stage] {
                              job.land.after(stage);

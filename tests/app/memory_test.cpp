@@ -8,7 +8,10 @@ using namespace cydonia;
 
 TEST(Memory, GrowsWithTheCells) {
     const StageOptions stage = distance::Options{};
-    EXPECT_GT(memory::of_stage(stage, 4096 * 4096), memory::of_stage(stage, 512 * 512));
+    EXPECT_GT(memory::of_stage(stage, 4096 * 4096, 2),
+              memory::of_stage(stage, 512 * 512, 2));
+    EXPECT_GT(memory::of_stage(stage, 512 * 512, 8),
+              memory::of_stage(stage, 512 * 512, 2));
     EXPECT_GT(memory::of_trace(512 * 512, 1920 * 1080), memory::of_trace(512 * 512, 1));
 }
 
