@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMega = 1'000'000;
-constexpr std::uint64_t kProgram = 160 * kMega;  // code, libraries, thread pools
+constexpr std::uint64_t kProgram = 175 * kMega;  // code, libraries, thread pools
 constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
 
 // The first number of a file such as the kernel's accounts; unlimited when there is none
@@ -72,7 +72,7 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         std::uint64_t threads;
         // Every thread keeps the costs of the feature it is at.
         std::uint64_t operator()(const distance::Options&) const {
-            return 70 + 20 * threads;
+            return 80 + 25 * threads;
         }
         std::uint64_t operator()(const pareidolia::Options&) const { return 160; }
     };
