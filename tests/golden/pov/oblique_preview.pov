@@ -49,11 +49,11 @@ global_settings {
 #default { finish { ambient 0 diffuse 1 } }
 
 camera {
-    location At(640, -1039.33336, 955.942446)
+    location At(640, -1039.33335, 955.942441)
     sky Towards(0, 0, 1)
     up y right image_width / image_height * x
     angle 30 // across the frame's width
-    look_at At(640, 640, 659.179921)
+    look_at At(640, 640, 749.105615)
 }
 
 #declare ToSun = Towards(
