@@ -90,29 +90,44 @@ float bilinear(const Field<float>& field, double x, double y) {
                               v * ((1 - u) * field(i, j1) + u * field(i1, j1)));
 }
 
-// What the land says of every cell, before noise.
+double noise(double x, double y, double wavelength, std::uint64_t purpose) {
+    return gradient_noise(x / wavelength, y / wavelength, kSeed + purpose) +
+           0.5 * gradient_noise(2.03 * x / wavelength, 2.03 * y / wavelength,
+                                kSeed + purpose + 1);
+}
+
+Field<float> noise_over(const Terrain& terrain, double wavelength,
+                        std::uint64_t purpose) {
+    Field<float> field(terrain.heights.width(), terrain.heights.height());
+    parallel_for(field.height(), 16, [&](int y) {
+        for (int x = 0; x < field.width(); ++x)
+            field(x, y) = static_cast<float>(
+                noise(x * terrain.spacing, y * terrain.spacing, wavelength, purpose));
+    });
+    return field;
+}
+
+// What decides a cell's ground but for the finest noise.
 struct Relief {
     Field<float> height;
-    Facing near;          // at a cell
-    Field<float> far;     // slope at about 45 m
-    Field<float> hollow;  // metres below the land around, at about 120 m
+    Facing near;               // at a cell
+    Field<float> far;          // slope at about 45 m
+    Field<float> hollow;       // metres below the land around, at about 120 m
+    Field<float> wide, wider;  // noise of kWide and three times it
 };
 
 Relief relief_of(const Terrain& terrain) {
     const auto cells = [&](double metres) {
         return std::max(1, static_cast<int>(std::lround(metres / terrain.spacing / 2.0)));
     };
-    Relief r{terrain.heights, facing_of(terrain.heights, terrain.spacing), {}, {}};
+    Relief r{
+        terrain.heights, facing_of(terrain.heights, terrain.spacing), {}, {}, {}, {}};
     r.far = facing_of(blurred(terrain.heights, cells(45.0)), terrain.spacing).slope;
     r.hollow = blurred(terrain.heights, cells(120.0));
     for (std::size_t i = 0; i < r.hollow.size(); ++i) r.hollow[i] -= terrain.heights[i];
+    r.wide = noise_over(terrain, kWide, 1);
+    r.wider = noise_over(terrain, 3.0 * kWide, 5);
     return r;
-}
-
-double noise(double x, double y, double wavelength, std::uint64_t purpose) {
-    return gradient_noise(x / wavelength, y / wavelength, kSeed + purpose) +
-           0.5 * gradient_noise(2.03 * x / wavelength, 2.03 * y / wavelength,
-                                kSeed + purpose + 1);
 }
 
 class Ground {
@@ -127,7 +142,8 @@ class Ground {
     // Albedo at a point of the grid, in cells.
     Rgb at(double x, double y) const {
         const double e = x * spacing_, s = y * spacing_;
-        const double wide = noise(e, s, kWide, 1), narrow = noise(e, s, kNarrow, 3);
+        const double wide = bilinear(relief_.wide, x, y),
+                     narrow = noise(e, s, kNarrow, 3);
         const double height = bilinear(relief_.height, x, y);
         const double hollow = bilinear(relief_.hollow, x, y);
         const double slope = 0.35 * bilinear(relief_.near.slope, x, y) +
@@ -136,13 +152,14 @@ class Ground {
 
         const double patch = 0.5 + 0.5 * wide + 0.25 * narrow;
         const double moist = smoothstep(-0.3, 0.9,
-                                        0.5 * noise(e, s, 3.0 * kWide, 5) +
+                                        0.5 * bilinear(relief_.wider, x, y) +
                                             0.06 * hollow - 0.9 * slope + 0.25 * narrow);
         Rgb ground = mix(shade(kEarth, patch), shade(kMeadow, patch), moist);
         ground = mix(ground, shade(kScree, patch),
                      smoothstep(0.6 * rock_, 0.95 * rock_, slope));
-        ground =
-            mix(ground, rock(height, wide, narrow), smoothstep(rock_, all_rock_, slope));
+        if (slope > rock_)
+            ground = mix(ground, rock(height, wide, narrow),
+                         smoothstep(rock_, all_rock_, slope));
         return mix(ground, shade(kSnow, patch), snow(x, y, height, hollow, slope, wide));
     }
 
