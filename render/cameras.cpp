@@ -92,7 +92,8 @@ Camera overhead(Camera c, const Terrain& t) {
     c.target = {0.5 * t.width(), 0.5 * t.depth(), lowest};
     c.eye = {c.target.x, c.target.y, highest + std::max(t.width(), t.depth())};
     c.up = {0.0, 1.0, 0.0};
-    c.frame_width = std::max(t.width(), t.depth() * aspect(c));
+    // The mesh, which ends at the outer cells' centres: no rim of what lies around it.
+    c.frame_width = std::max(t.width() - t.spacing, (t.depth() - t.spacing) * aspect(c));
     return c;
 }
 

@@ -206,13 +206,20 @@ TEST_F(PovFolder, DraftsAreEqualWithOneThreadAndFour) {
     EXPECT_EQ(render(shot, 4), one);
 }
 
+// From straight above, a pixel a cell: the whole extent, the mesh's rim included.
+Shot map_shot() {
+    Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    shot.camera.frame_width = kSide * kSpacing;
+    return shot;
+}
+
 // Cell by cell: what is painted at a cell of ground.png is seen in that cell's pixel of
 // the overhead frame, and only there.
 TEST_F(PovFolder, GroundImageLiesOnItsCells) {
     Terrain flat;
     flat.spacing = kSpacing;
     flat.heights = Field<float>(kSide, kSide, 0.0f);
-    const Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    const Shot shot = map_shot();
     write(shot, flat);
     Field<Rgb8> ground(kSide, kSide);
     ground(20, 9) = {255, 255, 255};
@@ -233,7 +240,7 @@ TEST_F(PovFolder, HeightsLieOnTheirCells) {
     bump.spacing = kSpacing;
     bump.heights = Field<float>(kSide, kSide, 0.0f);
     bump.heights(20, 9) = 10.0f;
-    Shot shot = shot_of(Kind::kOverhead, Quality::kDraft);
+    Shot shot = map_shot();
     shot.camera.width = shot.camera.height = 4 * kSide;
     shot.sun = {radians(250.0), radians(45.0)};
     shot.options.sky.fill = 0.0;

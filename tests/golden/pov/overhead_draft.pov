@@ -41,7 +41,7 @@ global_settings {
 #default { finish { ambient 0 diffuse 1 } }
 
 // From far above, without perspective.
-#declare FrameWidth = 1280; // metres across
+#declare FrameWidth = 1260; // metres across
 camera {
     orthographic
     location At(640, 640, 2279)
