@@ -73,7 +73,7 @@ Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
             const auto [top, bottom] = pixels_of_cell(y, height, image.height());
             vote.clear();
             for (int j = top; j < bottom; ++j)
-                for (int i = left; i < right; ++i) vote.add(image(i, j));
+                for (int i = left; i < right; ++i) vote.add(snapped(image(i, j)));
             cells(x, y) = vote.winner();
         }
     return cells;
@@ -96,15 +96,15 @@ Field<float> svg_grey(const Source& source, int width, int height) {
 Field<Rgba8> read_strokes(const Source& source, int width, int height) {
     assert(width > 0 && height > 0);
     const int finer = pixels_a_cell(width, height, kFinestDrawing);
-    Field<Rgba8> image =
+    const Field<Rgba8> image =
         is_svg(source) ? read_svg(source, finer * width, finer * height, SvgEdges::kCrisp)
                        : read_rgba(source);
-    std::transform(image.begin(), image.end(), image.begin(), snapped);
-    if (std::all_of(image.begin(), image.end(), [](Rgba8 p) { return p == kNothing; }))
+    Field<Rgba8> cells = touched_cells(image, width, height);
+    if (std::all_of(cells.begin(), cells.end(), [](Rgba8 p) { return p == kNothing; }))
         throw bad_request(
             "{}: nothing is drawn in it (white and transparent count as nothing)",
             source.path.string());
-    return touched_cells(image, width, height);
+    return cells;
 }
 
 Field<float> read_grey_at(const Source& source, int width, int height) {
