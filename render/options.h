@@ -37,7 +37,7 @@ struct CameraOptions {
 
 struct SkyOptions {
     double turbidity = 2.5;  // 1.9 (clear) to 10 (hazy)
-    double fill = 1.0;       // sky light times this; above 1 opens the shadows
+    double fill = 1.5;  // sky light times this; 1 is physical, more opens the shadows
 };
 
 struct HazeOptions {

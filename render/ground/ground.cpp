@@ -21,7 +21,7 @@ constexpr Material kRock{{0.215f, 0.190f, 0.165f}, {0.105f, 0.092f, 0.080f}};
 constexpr Material kRust{{0.200f, 0.145f, 0.105f}, {0.150f, 0.100f, 0.070f}};
 constexpr Material kSnow{{0.820f, 0.840f, 0.870f}, {0.740f, 0.770f, 0.820f}};
 
-constexpr double kStrata = 45.0;  // metres of height a pair of rock beds takes
+constexpr double kStrata = 45.0;  // metres of height that a pair of thick rock beds takes
 constexpr double kWide = 200.0;   // wavelengths of the noise on every border, metres
 constexpr double kNarrow = 20.0;
 constexpr std::uint64_t kSeed = 0x6c616e64;
@@ -164,14 +164,17 @@ class Ground {
     }
 
   private:
-    // Beds of rock by height, bent a little.
+    // Beds of rock by height, thick and thin, bent a little; here and there they do not
+    // show.
     Rgb rock(double height, double wide, double narrow) const {
-        const double bed = (height + 12.0 * wide + 2.0 * narrow) / kStrata;
-        const double band = 0.5 + 0.5 * gradient_noise(3.7 * bed, 0.37, kSeed + 7) +
-                            0.3 * std::sin(2.0 * std::numbers::pi * bed);
+        const double bed = (height + 20.0 * wide + 4.0 * narrow) / kStrata;
+        const double beds = gradient_noise(bed, 0.37, kSeed + 7) +
+                            0.5 * gradient_noise(2.9 * bed, 0.37, kSeed + 8);
+        const double shown = 0.35 + 0.65 * smoothstep(-0.4, 0.5, wide);
         const double rust =
-            smoothstep(0.1, 0.6, gradient_noise(0.9 * bed, 2.5, kSeed + 9));
-        return mix(shade(kRock, band + 0.3 * narrow), shade(kRust, band), 0.6 * rust);
+            smoothstep(0.1, 0.6, gradient_noise(0.6 * bed, 2.5, kSeed + 9));
+        const double band = 0.5 + 0.7 * shown * beds + 0.3 * narrow;
+        return mix(shade(kRock, band), shade(kRust, band), 0.6 * rust);
     }
 
     double snow(double x, double y, double height, double hollow, double slope,

@@ -5,12 +5,13 @@
 #include "field/error.h"
 #include "field/image.h"
 #include "field/strokes.h"
+#include "field/svg.h"
 
 namespace cydonia::pareidolia {
 namespace {
 
 Field<float> stretched(const Source& source, int width, int height, Progress& progress) {
-    if (source.path.extension() == ".svg") return read_grey_at(source, width, height);
+    if (is_svg(source)) return read_grey_at(source, width, height);
     const Field<float> image = read_grey(source);
     if (image.width() == width && image.height() == height) return image;
     progress.note(fmt::format("{}: {}x{} pixels stretched over {}x{} cells",

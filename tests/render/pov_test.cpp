@@ -90,6 +90,7 @@ TEST(PovScene, LookAtFinalWithWater) {
 
 TEST(PovScene, FillChangesOneNumber) {
     Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    shot.options.sky.fill = 1.0;
     std::string once = text_of(shot);
     shot.options.sky.fill = 2.0;
     const std::string twice = text_of(shot);

@@ -33,7 +33,7 @@
 #declare SunElevation = 25;
 #declare SunLight     = rgb <0.8717, 0.7284, 0.5492>;
 #declare SkyLight     = rgb <0.02608, 0.04857, 0.09919>; // of the whole sky, on level ground
-#declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
+#declare SkyFill      = 1.5; // above 1 opens the shadows; the visible sky stays
 #declare HazeLight    = rgb <0.1746, 0.2322, 0.2495>;
 #declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
 
