@@ -31,7 +31,7 @@ void check_options(const Options& options) {
 ShadowImage shadow_image(const ImageOptions& options, const Terrain& terrain,
                          Progress& progress) {
     ShadowImage image;
-    image.name = options.target.path.stem().string();
+    image.name = image_name(options.target);
     image.target = shadow_target(options.target, terrain.heights.width(),
                                  terrain.heights.height(), progress);
     image.sun.elevation = options.elevation;

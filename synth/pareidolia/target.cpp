@@ -1,6 +1,7 @@
 #include "synth/pareidolia/target.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "field/error.h"
 #include "field/image.h"
@@ -40,6 +41,14 @@ Field<std::uint8_t> shadow_target(const Source& source, int width, int height,
             "casters",
             source.name());
     return target;
+}
+
+std::string image_name(const Source& source) {
+    std::string name = source.path.stem().string();
+    std::replace_if(
+        name.begin(), name.end(),
+        [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; }, '_');
+    return name.empty() ? "image" : name;
 }
 
 }  // namespace cydonia::pareidolia

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "field/field.h"
 #include "field/progress.h"
@@ -13,5 +14,8 @@ namespace cydonia::pareidolia {
 // so. Throws bad_request when it is all dark or has no shadow.
 Field<std::uint8_t> shadow_target(const Source& source, int width, int height,
                                   Progress& progress);
+
+// The file's name without its ending, safe as a folder's name.
+std::string image_name(const Source& source);
 
 }  // namespace cydonia::pareidolia
