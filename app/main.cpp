@@ -1,10 +1,12 @@
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <new>
 
 #include "app/commands/commands.h"
 #include "app/interrupt.h"
+#include "field/error.h"
 #include "field/progress.h"
 
 using namespace cydonia;

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -14,8 +15,8 @@ void add_check(CLI::App& app, Action& action) {
     const auto heights = std::make_shared<HeightCheck>();
     const auto angles = std::make_shared<std::vector<double>>();
     CLI::App* command =
-        add_command(app, "check", "Cast the shadows and compare them only",
-                    "check --height dem.tif --sun 215,25 --target t.png");
+        add_command(app, {"check", "Cast the shadows and compare them only",
+                          "check --height dem.tif --sun 215,25 --target t.png"});
     CLI::Option* scene = add_scene(*command, *request);
     CLI::Option* height =
         command

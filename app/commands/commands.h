@@ -1,10 +1,16 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
+#include "app/console.h"
 #include "app/request.h"
-#include "field/error.h"
+
+// Its header takes seconds to compile: only what declares options includes it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace cydonia {
 
@@ -19,15 +25,23 @@ void add_emit(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 
-// A subcommand whose help ends with an example, "render scene.toml".
-CLI::App* add_command(CLI::App& app, const std::string& name,
-                      const std::string& description, const std::string& example);
+struct Help {
+    std::string name;
+    std::string description;
+    std::string example;  // "render scene.toml"; every help ends with one
+};
+
+// A subcommand that makes something of a scene: SCENE and all shared options.
+void add_making_command(CLI::App& app, Action& action, const Help& help,
+                        const std::function<void(const Request&, Console&)>& make);
+
+// The pieces of a subcommand: its help, SCENE with --set and --quiet, and the options
+// that making takes besides.
+CLI::App* add_command(CLI::App& app, const Help& help);
+CLI::Option* add_scene(CLI::App& command, Request& request);
+void add_making_options(CLI::App& command, Request& request);
 
 // How help is printed, by the program and its subcommands.
 void format_plainly(CLI::App& app);
-
-// Options that commands share: SCENE, --set and --quiet, and what making takes besides.
-CLI::Option* add_scene(CLI::App& command, Request& request);
-void add_making_options(CLI::App& command, Request& request);
 
 }  // namespace cydonia

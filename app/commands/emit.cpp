@@ -1,21 +1,14 @@
 #include "app/commands/commands.h"
-#include "app/console.h"
 #include "app/pipeline/pipeline.h"
 
 namespace cydonia {
 
 void add_emit(CLI::App& app, Action& action) {
-    const auto request = std::make_shared<Request>();
-    CLI::App* command = add_command(
-        app, "emit", "Make everything up to the .pov, for POV-Ray by hand",
-        "emit scenes/text/scene.toml && cd out/text/pov && povray overhead.ini");
-    add_scene(*command, *request)->required();
-    add_making_options(*command, *request);
-    command->callback([request, &action] {
-        action = [request] {
-            Console console(style_for_stderr(request->quiet));
-            make(*request, Goal::kEmit, console);
-        };
+    const Help help{
+        "emit", "Make everything up to the .pov, for POV-Ray by hand",
+        "emit scenes/text/scene.toml && cd out/text/pov && povray overhead.ini"};
+    add_making_command(app, action, help, [](const Request& request, Console& console) {
+        make(request, Goal::kEmit, console);
     });
 }
 

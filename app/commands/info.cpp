@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -10,7 +11,7 @@ namespace cydonia {
 void add_info(CLI::App& app, Action& action) {
     const auto file = std::make_shared<std::filesystem::path>();
     CLI::App* command =
-        add_command(app, "info", "Say what a file holds", "info out/text/terrain.exr");
+        add_command(app, {"info", "Say what a file holds", "info out/text/terrain.exr"});
     command
         ->add_option("FILE", *file, "a scene, heights, a frame or image, or a manifest")
         ->type_name("")

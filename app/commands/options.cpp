@@ -1,4 +1,6 @@
+#include <CLI/CLI.hpp>
 #include <map>
+#include <memory>
 
 #include "app/commands/commands.h"
 
@@ -15,11 +17,24 @@ class Formatter final : public CLI::Formatter {
 
 }  // namespace
 
-CLI::App* add_command(CLI::App& app, const std::string& name,
-                      const std::string& description, const std::string& example) {
-    CLI::App* command = app.add_subcommand(name, description);
-    command->footer("Example:\n  cydonia " + example + "\n");
+CLI::App* add_command(CLI::App& app, const Help& help) {
+    CLI::App* command = app.add_subcommand(help.name, help.description);
+    command->footer("Example:\n  cydonia " + help.example + "\n");
     return command;
+}
+
+void add_making_command(CLI::App& app, Action& action, const Help& help,
+                        const std::function<void(const Request&, Console&)>& make) {
+    const auto request = std::make_shared<Request>();
+    CLI::App* command = add_command(app, help);
+    add_scene(*command, *request)->required();
+    add_making_options(*command, *request);
+    command->callback([request, make, &action] {
+        action = [request, make] {
+            Console console(style_for_stderr(request->quiet));
+            make(*request, console);
+        };
+    });
 }
 
 void format_plainly(CLI::App& app) {

@@ -1,21 +1,13 @@
 #include "app/commands/commands.h"
-#include "app/console.h"
 #include "app/pipeline/pipeline.h"
 
 namespace cydonia {
 
 void add_render(CLI::App& app, Action& action) {
-    const auto request = std::make_shared<Request>();
-    CLI::App* command =
-        add_command(app, "render", "Make everything: terrain, check, .pov, frames",
-                    "render scenes/text/scene.toml --quality draft");
-    add_scene(*command, *request)->required();
-    add_making_options(*command, *request);
-    command->callback([request, &action] {
-        action = [request] {
-            Console console(style_for_stderr(request->quiet));
-            make(*request, Goal::kFrames, console);
-        };
+    const Help help{"render", "Make everything: terrain, check, .pov, frames",
+                    "render scenes/text/scene.toml --quality draft"};
+    add_making_command(app, action, help, [](const Request& request, Console& console) {
+        make(request, Goal::kFrames, console);
     });
 }
 

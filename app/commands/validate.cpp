@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -11,8 +12,8 @@ namespace cydonia {
 void add_validate(CLI::App& app, Action& action) {
     const auto request = std::make_shared<Request>();
     CLI::App* command =
-        add_command(app, "validate", "Check the scene file only",
-                    "validate scenes/text/scene.toml --set terrain.samples=64");
+        add_command(app, {"validate", "Check the scene file only",
+                          "validate scenes/text/scene.toml --set terrain.samples=64"});
     add_scene(*command, *request)->required();
     command->callback([request, &action] {
         action = [request] {

@@ -111,8 +111,8 @@ bool will_trace(const std::vector<PlannedStep>& plan) {
     });
 }
 
-void make_here(const Request& request, Goal goal, Progress& progress) {
-    Job job(request, progress);
+void make_here(const Request& request, Goal goal, Console& console) {
+    Job job(request, console);
     const std::vector<Step> steps = steps_of(job);
     const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
     if (request.dry_run) return print_plan(plan, job);
@@ -130,13 +130,14 @@ void make_here(const Request& request, Goal goal, Progress& progress) {
         throw;
     }
     write_manifest(steps, job);
-    progress.note(fmt::format("in {}", job.folder.string()));
+    console.finish();
+    console.note(fmt::format("in {}", job.folder.string()));
 }
 
 }  // namespace
 
-void make(const Request& request, Goal goal, Progress& progress) {
-    with_threads(request.threads, [&] { make_here(request, goal, progress); });
+void make(const Request& request, Goal goal, Console& console) {
+    with_threads(request.threads, [&] { make_here(request, goal, console); });
 }
 
 }  // namespace cydonia
