@@ -116,24 +116,6 @@ void shift_noise_to_zero(std::span<FeatureList* const> noisy) {
     }
 }
 
-// Ridges grow on one graph at every resolution, a quarter of the grain fine, or a path
-// could take another way round on another grid.
-Graph ridge_graph(const Options& options, const Graph& graph, std::uint64_t seed) {
-    constexpr double kFewest = 64, kMost = 1024;  // nodes along the longer side
-    const double width = graph.width * graph.spacing;
-    const double longer = std::max(graph.width, graph.height) * graph.spacing;
-    const EdgeOptions edges = edges_of(options, width);
-    const double spacing =
-        longer / std::clamp(std::round(4.0 * longer / edges.grain), kFewest, kMost);
-    const auto nodes = [&](int cells) {
-        return std::max(1, static_cast<int>(std::round(cells * graph.spacing / spacing)));
-    };
-    if (nodes(graph.width) == graph.width && nodes(graph.height) == graph.height) {
-        return graph;
-    }
-    return graph_of(nodes(graph.width), nodes(graph.height), spacing, edges, seed);
-}
-
 // Section 4.1: from random places back along the least-cost path to its generator, whose
 // feature the path joins; its cost is a share of the pass' (section 5.4).
 void grow_ridges(FeatureList& features, const RidgeOptions& options, const Graph& graph,
@@ -209,7 +191,8 @@ Features features_of(const Options& options, const Graph& graph, std::uint64_t s
     FeatureList features = std::move(strokes);
     features.insert(features.end(), peaks.begin(), peaks.end());
     if (options.ridges.count > 0) {
-        grow_ridges(features, options.ridges, ridge_graph(options, graph, seed),
+        const EdgeOptions edges = edges_of(options, graph.width * graph.spacing);
+        grow_ridges(features, options.ridges, layout_graph(graph, edges, seed),
                     graph.spacing, seed);
     }
     return flattened(features, graph);

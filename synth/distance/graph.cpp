@@ -221,4 +221,17 @@ Graph graph_of(int width, int height, double spacing, const EdgeOptions& options
     return graph;
 }
 
+Graph layout_graph(const Graph& graph, const EdgeOptions& options, std::uint64_t seed) {
+    constexpr double kFewest = 64, kMost = 1024;
+    const double longer = std::max(graph.width, graph.height) * graph.spacing;
+    const double apart =
+        longer / std::clamp(std::round(4.0 * longer / options.grain), kFewest, kMost);
+    const auto nodes = [&](int cells) {
+        return std::max(1, static_cast<int>(std::round(cells * graph.spacing / apart)));
+    };
+    const int width = nodes(graph.width), height = nodes(graph.height);
+    if (width == graph.width && height == graph.height) return graph;
+    return graph_of(width, height, apart, options, seed);
+}
+
 }  // namespace cydonia::distance

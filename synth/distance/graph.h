@@ -60,4 +60,9 @@ struct Graph {
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
                std::uint64_t seed);
 
+// The same edges over the same ground, but on nodes a quarter of the grain apart (64 to
+// 1024 along the longer side): on it a path takes the same way for every number of
+// samples.
+Graph layout_graph(const Graph& graph, const EdgeOptions& options, std::uint64_t seed);
+
 }  // namespace cydonia::distance

@@ -51,15 +51,16 @@ Field<float> features(const Options& options, const Terrain& base,
     const ShadowPlan plan = shadow_plan(image, base.spacing);
     const double mean = options.mean_edge_weight;
     const double lit = kLitShare * plan.rise / base.spacing / mean;
-    const auto sloped =
-        [&, graph = distance::graph_of(width, height, base.spacing,
-                                       {.mean = mean,
-                                        .deviation = options.edge_weight_deviation,
-                                        .grain = options.grain.in(base.width()),
-                                        .octaves = kGrainOctaves},
-                                       hash_of({context.seed, key("edge weights")}))](
-            const Slopes& slopes) { return scaled(graph, slopes, plan.frame); };
-
+    const distance::EdgeOptions edges{.mean = mean,
+                                      .deviation = options.edge_weight_deviation,
+                                      .grain = options.grain.in(base.width()),
+                                      .octaves = kGrainOctaves};
+    const std::uint64_t edge_seed = hash_of({context.seed, key("edge weights")});
+    const distance::Graph graph =
+        distance::graph_of(width, height, base.spacing, edges, edge_seed);
+    const auto sloped = [&](const Slopes& slopes) {
+        return scaled(graph, slopes, plan.frame);
+    };
     const auto uniform = [&](double factor) {
         return Slopes{Field<float>(width, height, static_cast<float>(factor))};
     };
@@ -70,10 +71,10 @@ Field<float> features(const Options& options, const Terrain& base,
     const Field<std::uint8_t> band = anti_shadow(image.target, kAntiShadowReach * width);
     const Field<float> bound =
         height_bound(land, image.target, band, image.sun.azimuth, plan.rise, highest);
-    const distance::Graph gentle = sloped(uniform(lit));
-    const Field<float> ground =
-        maximum(land, spread(gentle, secondary_features(options, gentle, land, bound,
-                                                        band, context.seed)));
+    const distance::Graph layout = distance::layout_graph(graph, edges, edge_seed);
+    const Field<float> secondary =
+        secondary_features(options, layout, land, bound, band, context.seed);
+    const Field<float> ground = maximum(land, spread(sloped(uniform(lit)), secondary));
     context.progress->report(0.4);
 
     const std::vector<float> crests = crest_heights(plan, ground);

@@ -1,5 +1,7 @@
 #include "synth/pareidolia/pareidolia.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "field/error.h"
@@ -28,6 +30,18 @@ void check_options(const Options& options) {
             degrees(elevation));
 }
 
+// The image at one size for every number of samples, so that the search for a sun finds
+// the same one.
+Field<std::uint8_t> small_target(const Source& source, const Terrain& terrain) {
+    constexpr int kLonger = 256;
+    const double longer = std::max(terrain.width(), terrain.depth());
+    const auto cells = [&](double metres) {
+        return std::max(1, static_cast<int>(std::lround(kLonger * metres / longer)));
+    };
+    SilentProgress silent;
+    return shadow_target(source, cells(terrain.width()), cells(terrain.depth()), silent);
+}
+
 ShadowImage shadow_image(const ImageOptions& options, const Terrain& terrain,
                          Progress& progress) {
     ShadowImage image;
@@ -39,7 +53,7 @@ ShadowImage shadow_image(const ImageOptions& options, const Terrain& terrain,
     if (options.azimuth) {
         image.sun.azimuth = *options.azimuth;
     } else {
-        image.sun.azimuth = shortest_azimuth(image.target);
+        image.sun.azimuth = shortest_azimuth(small_target(options.target, terrain));
         progress.note(
             fmt::format("{}: the sun stands at azimuth {:.0f} degrees, where the "
                         "longest shadow is shortest",

@@ -12,15 +12,36 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// A random cell outside the band, at the same place of the land for every number of
-// samples.
-std::optional<Cell> vacant_cell(const Field<std::uint8_t>& band, std::uint64_t seed) {
+// A place on the ground, in shares of its width and depth.
+struct Place {
+    double east, south;
+};
+
+Cell cell_at(const Place& place, int width, int height) {
+    const auto cell = [](double share, int cells) {
+        return std::clamp(static_cast<int>(share * cells), 0, cells - 1);
+    };
+    return {cell(place.east, width), cell(place.south, height)};
+}
+
+int node_at(const distance::Graph& layout, const Place& place) {
+    const Cell c = cell_at(place, layout.width, layout.height);
+    return layout.node(c.x, c.y);
+}
+
+Place place_of(const distance::Graph& layout, int node) {
+    return {(layout.x_of(node) + 0.5) / layout.width,
+            (layout.y_of(node) + 0.5) / layout.height};
+}
+
+// A random place outside the band, the same for every number of samples.
+std::optional<Place> vacant_place(const Field<std::uint8_t>& band, std::uint64_t seed) {
     constexpr std::uint64_t kAttempts = 64;
     for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
-        const Cell cell{
-            static_cast<int>(unit(hash_of({seed, attempt, 0})) * band.width()),
-            static_cast<int>(unit(hash_of({seed, attempt, 1})) * band.height())};
-        if (!band(cell.x, cell.y)) return cell;
+        const Place place{unit(hash_of({seed, attempt, 0})),
+                          unit(hash_of({seed, attempt, 1}))};
+        const Cell cell = cell_at(place, band.width(), band.height());
+        if (!band(cell.x, cell.y)) return place;
     }
     return std::nullopt;
 }
@@ -34,14 +55,15 @@ Field<float> normalised(Field<float> field) {
 
 }  // namespace
 
-Field<float> secondary_features(const Options& options, const distance::Graph& graph,
+Field<float> secondary_features(const Options& options, const distance::Graph& layout,
                                 const Field<float>& base, const Field<float>& bound,
                                 const Field<std::uint8_t>& band, std::uint64_t seed) {
     Field<float> heights(base.width(), base.height(), kNowhere);
     const Field<float> noise =
         normalised(noise_field(options.secondary_cost, base.width(), base.height(), 1.0,
                                hash_of({seed, key("secondary cost")})));
-    const auto place = [&](int x, int y) {
+    const auto raise = [&](const Place& place) {
+        const auto [x, y] = cell_at(place, base.width(), base.height());
         const float room = std::max(0.0f, bound(x, y) - base(x, y));
         heights(x, y) = base(x, y) + room * noise(x, y);
     };
@@ -49,21 +71,31 @@ Field<float> secondary_features(const Options& options, const distance::Graph& g
     std::vector<distance::Start> peaks;
     for (int i = 0; i < options.secondary_peaks; ++i) {
         const auto purpose = hash_of({seed, key("peak"), static_cast<std::uint64_t>(i)});
-        if (const auto cell = vacant_cell(band, purpose)) {
-            peaks.push_back({graph.node(cell->x, cell->y), 0.0f});
-            place(cell->x, cell->y);
+        if (const auto place = vacant_place(band, purpose)) {
+            peaks.push_back({node_at(layout, *place), 0.0f});
+            raise(*place);
         }
     }
     if (peaks.empty()) return heights;
 
-    distance::LeastCost paths(graph);
+    distance::LeastCost paths(layout);
     paths.spread(peaks, distance::RawGrowth{peaks});
+    // Where the land is finer than the layout, steps between its nodes close the gaps.
+    const int steps = std::max(1, (base.width() + layout.width - 1) / layout.width);
     for (int i = 0; i < options.secondary_ridges; ++i) {
         const auto purpose = hash_of({seed, key("ridge"), static_cast<std::uint64_t>(i)});
-        const auto cell = vacant_cell(band, purpose);
-        if (!cell) continue;
-        for (int node : path_back(paths, graph.node(cell->x, cell->y)))
-            place(graph.x_of(node), graph.y_of(node));
+        const auto end = vacant_place(band, purpose);
+        if (!end) continue;
+        Place from = place_of(layout, node_at(layout, *end));
+        for (int node : path_back(paths, node_at(layout, *end))) {
+            const Place to = place_of(layout, node);
+            for (int step = 0; step < steps; ++step) {
+                const double t = (step + 1.0) / steps;
+                raise({from.east + t * (to.east - from.east),
+                       from.south + t * (to.south - from.south)});
+            }
+            from = to;
+        }
     }
     return heights;
 }
