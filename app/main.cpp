@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "app/commands/commands.h"
@@ -50,11 +53,20 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     return exit_code(ExitCode::kBadRequest);
 }
 
+// Names come from files: their control characters must not steer the terminal.
+std::string printable(std::string message) {
+    std::ranges::replace_if(
+        message, [](unsigned char c) { return (c < 32 && c != '\n') || c == 127; }, '?');
+    return message;
+}
+
 int run(const Action& action) try {
     action();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw failure("cannot write to the standard output: {}", std::strerror(errno));
     return exit_code(ExitCode::kDone);
 } catch (const Error& error) {
-    fmt::print(stderr, "cydonia: {}\n", error.what());
+    fmt::print(stderr, "cydonia: {}\n", printable(error.what()));
     return exit_code(error.code());
 } catch (const Interrupted&) {
     fmt::print(stderr, "cydonia: interrupted; the same command goes on from here\n");
@@ -84,7 +96,6 @@ int main(int argc, char** argv) {
     }
 
     const int code = run(action);
-    std::fflush(stdout);
     if (const int signal = interrupt_signal()) end_by(signal);
     return code;
 }
