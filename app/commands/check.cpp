@@ -34,7 +34,7 @@ void add_check(CLI::App& app, Action& action) {
         command->add_option("--target", heights->target, "with --height: dark is shadow")
             ->type_name("IMAGE")
             ->needs(height);
-    height->needs(sun)->needs(target);
+    height->needs(sun)->needs(target)->excludes(command->get_option("--set"));
     add_making_options(*command, *request);
     command->callback([request, heights, angles, &action] {
         if (angles->size() == 2) {

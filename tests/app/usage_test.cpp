@@ -83,4 +83,13 @@ TEST(Usage, HeightNeedsSunAndTarget) {
     expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1"}), "--sun");
     expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1,2"}), "--target");
     expect_wrong_usage(ask({"check", "a.toml", "--height", "a.tif"}), "--height");
+    expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1,2", "--target",
+                            "t.png", "--set", "a=1"}),
+                       "--set");
+}
+
+TEST(Usage, ControlCharactersDoNotReachTheTerminal) {
+    const Outcome outcome = ask({"validate", "a\x1b[31m.toml"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("a?[31m.toml"), std::string::npos) << outcome.err;
 }
