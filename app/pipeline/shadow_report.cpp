@@ -36,9 +36,12 @@ Sun sun_of(const Json& json) {
 }
 
 std::string score_text(const render::ShadowReport& report) {
+    // 0.8498 is not "0.850 (at least 0.85)".
+    const double iou = report.score.iou;
+    const double shown = report.passed() ? iou : std::floor(iou * 1000.0) / 1000.0;
     return fmt::format(
         "{}: IoU {:.3f} (at least {:.2f}), precision {:.3f}, recall {:.3f}", report.name,
-        report.score.iou, report.min_iou, report.score.precision, report.score.recall);
+        shown, report.min_iou, report.score.precision, report.score.recall);
 }
 
 void stop_when_short(const std::vector<render::ShadowReport>& reports,
@@ -46,7 +49,7 @@ void stop_when_short(const std::vector<render::ShadowReport>& reports,
     std::string message;
     for (const render::ShadowReport& report : reports) {
         if (report.passed()) continue;
-        message += fmt::format("{}\n{}\n", score_text(report), render::advice(report));
+        message += render::advice(report) + "\n";
     }
     if (message.empty()) return;
     throw Error(

@@ -122,11 +122,12 @@ std::vector<ShadowReport> check(const Terrain& terrain,
 std::string advice(const ShadowReport& report) {
     if (report.passed()) return {};
     const auto [iou, precision, recall] = report.score;
+    const double shown = std::floor(iou * 1000.0) / 1000.0;  // not up to what is wanted
     const double elevation = degrees(report.sun.elevation);
     std::string text = fmt::format(
         "The shadow of '{}' matches its target with IoU {:.3f} (precision {:.3f}, recall "
         "{:.3f}); {:.3f} is wanted.",
-        report.name, iou, precision, recall, report.min_iou);
+        report.name, shown, precision, recall, report.min_iou);
     // Shadows are h / tan(elevation) long: the elevation that makes them `times` as long.
     const auto elevation_for = [&](double times) {
         const double wanted = std::atan(std::tan(report.sun.elevation) / times);
