@@ -37,8 +37,9 @@ auto checked(const Source& source, const Act& act) {
     const auto result = act(&error);
     if (result) return result;
     const std::unique_ptr<GError, Free<g_error_free>> owned(error);
-    throw bad_request("{}: {}", source.path.string(),
-                      error ? error->message : "not an SVG drawing");
+    std::string reason = error ? error->message : "not an SVG drawing";
+    reason.erase(reason.find_last_not_of(" \n") + 1);  // libxml ends with empty lines
+    throw bad_request("{}: {}", source.path.string(), reason);
 }
 
 // Magnified text makes Pango complain, on the terminal, of font sizes that only its
