@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "field/error.h"
+#include "field/sample.h"
 
 namespace cydonia::render {
 namespace {
@@ -32,14 +33,8 @@ Vec3 sample_point(const Terrain& t, int x, int y) {
 
 // The height of the mesh over a place, of its border outside; close enough for a camera.
 double ground_at(const Terrain& t, double east, double north) {
-    const int w = t.heights.width(), h = t.heights.height();
-    const double u = std::clamp(east / t.spacing - 0.5, 0.0, w - 1.0);
-    const double v = std::clamp(h - north / t.spacing - 0.5, 0.0, h - 1.0);
-    const int x = std::min(static_cast<int>(u), w - 2);
-    const int y = std::min(static_cast<int>(v), h - 2);
-    const double a = u - x, b = v - y;
-    return (1.0 - b) * ((1.0 - a) * t.heights(x, y) + a * t.heights(x + 1, y)) +
-           b * ((1.0 - a) * t.heights(x, y + 1) + a * t.heights(x + 1, y + 1));
+    return bilinear(t.heights, east / t.spacing - 0.5,
+                    t.heights.height() - north / t.spacing - 0.5);
 }
 
 bool over_land(const Terrain& t, const Vec3& p) {

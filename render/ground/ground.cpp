@@ -6,6 +6,7 @@
 
 #include "field/noise.h"
 #include "field/parallel.h"
+#include "field/sample.h"
 
 namespace cydonia::render {
 namespace {
@@ -76,18 +77,6 @@ Facing facing_of(const Field<float>& h, double spacing) {
         }
     });
     return f;
-}
-
-float bilinear(const Field<float>& field, double x, double y) {
-    x = std::clamp(x, 0.0, field.width() - 1.0);
-    y = std::clamp(y, 0.0, field.height() - 1.0);
-    const int i = std::min(static_cast<int>(x), std::max(field.width() - 2, 0));
-    const int j = std::min(static_cast<int>(y), std::max(field.height() - 2, 0));
-    const int i1 = std::min(i + 1, field.width() - 1),
-              j1 = std::min(j + 1, field.height() - 1);
-    const double u = x - i, v = y - j;
-    return static_cast<float>((1 - v) * ((1 - u) * field(i, j) + u * field(i1, j)) +
-                              v * ((1 - u) * field(i, j1) + u * field(i1, j1)));
 }
 
 double noise(double x, double y, double wavelength, std::uint64_t purpose) {

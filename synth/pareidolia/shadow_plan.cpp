@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/sample.h"
+
 namespace cydonia::pareidolia {
 namespace {
 
@@ -13,16 +15,6 @@ constexpr double kRelief = 0.5;
 // cells oblique crests have gaps, and off the border itself, where rounding would make
 // teeth.
 constexpr double kCrest[] = {0.3, 1.0};
-
-float sample(const Field<float>& field, GridPoint p) {
-    const double x = std::clamp(p.x, 0.0, field.width() - 1.0);
-    const double y = std::clamp(p.y, 0.0, field.height() - 1.0);
-    const int i = std::min(static_cast<int>(x), field.width() - 2);
-    const int j = std::min(static_cast<int>(y), field.height() - 2);
-    const double u = x - i, v = y - j;
-    return static_cast<float>((1 - v) * ((1 - u) * field(i, j) + u * field(i + 1, j)) +
-                              v * ((1 - u) * field(i, j + 1) + u * field(i + 1, j + 1)));
-}
 
 }  // namespace
 
@@ -39,7 +31,8 @@ std::vector<float> crest_heights(const ShadowPlan& plan, const Field<float>& gro
     crests.reserve(plan.runs.size());
     for (const Run& run : plan.runs) {
         const double over = plan.rise * plan.length(run);
-        crests.push_back(sample(ground, plan.end(run)) + static_cast<float>(over));
+        const GridPoint end = plan.end(run);
+        crests.push_back(bilinear(ground, end.x, end.y) + static_cast<float>(over));
     }
     return crests;
 }

@@ -49,6 +49,27 @@ Json without_timings(Json manifest) {
 
 }  // namespace
 
+// The demo that the README begins with, at a quarter of its samples.
+TEST_F(EndToEnd, TheDemoSpellsItsWord) {
+    const std::string scene = CYDONIA_SOURCE_DIR "/scenes/text/scene.toml";
+    const fs::path demo = folder / "demo";
+    const Outcome outcome =
+        run({folder.path()},
+            {"render", scene, "--quality", "draft", "-o", demo.string(), "--set",
+             "terrain.samples=128", "--set", "terrain.stage[1].image[0].min_iou=0.85",
+             "--set", "render.camera[0].size=[192, 192]", "--set",
+             "render.camera[1].size=[192, 108]"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::ifstream in(demo / "manifest.json");
+    EXPECT_GE(Json::parse(in)["figures"]["check"]["images"].at(0)["iou"], 0.85);
+    // In the frame itself the word is dark: its first letter's bar against the ground
+    // above.
+    const Field<Rgb> frame = read_exr_rgb(demo / "frames/overhead.exr");
+    ASSERT_EQ(frame.width(), 64);
+    EXPECT_LT(frame(10, 24)[1], 0.5f * frame(10, 12)[1]);
+    EXPECT_GT(fs::file_size(demo / "frames/oblique.png"), 0u);
+}
+
 TEST_F(EndToEnd, ShadowsShowTheTarget) {
     const Outcome outcome = ask({"render"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
