@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "field/error.h"
 #include "field/image.h"
@@ -47,22 +48,23 @@ std::vector<Point> traced_line(const Source& source) {
 }
 
 // A drawn line may waver by a pixel; anything more is a rise.
-void check_falling(std::vector<Point>& points, double tolerance, const char* unit_of_x) {
+void check_falling(std::vector<Point>& points, double tolerance, const std::string& name,
+                   const char* unit_of_x) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (!(points[i].x > points[i - 1].x)) {
-            throw bad_request("profile: x must increase, but {} follows {}", points[i].x,
+            throw bad_request("{}: x must increase, but {} follows {}", name, points[i].x,
                               points[i - 1].x);
         }
         if (!(points[i].y <= points[i - 1].y + tolerance)) {
             throw bad_request(
-                "profile rises at x = {}{}: a cross-section must fall from the feature "
+                "{} rises at x = {}{}: a cross-section must fall from the feature "
                 "outward",
-                points[i].x, unit_of_x);
+                name, points[i].x, unit_of_x);
         }
         points[i].y = std::min(points[i].y, points[i - 1].y);
     }
     if (points.size() < 2 || !(points.back().y < points.front().y)) {
-        throw bad_request("profile is flat: it must fall from the feature outward");
+        throw bad_request("{} is flat: it must fall from the feature outward", name);
     }
 }
 
@@ -70,10 +72,10 @@ std::vector<Point> falling_line(const Profile& profile) {
     std::vector<Point> points;
     if (profile.image) {
         points = traced_line(*profile.image);
-        check_falling(points, 1.0, " pixels");
+        check_falling(points, 1.0, "profile " + profile.image->path.string(), " pixels");
     } else {
         for (const auto& [x, y] : profile.points) points.push_back({x, y});
-        check_falling(points, 0.0, "");
+        check_falling(points, 0.0, "profile", "");
     }
     return points;
 }
