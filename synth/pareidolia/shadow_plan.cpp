@@ -9,8 +9,9 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Share of the way down to the ground that relief may take under a line of light.
-constexpr double kRelief = 0.5;
+// Shares of the way down to the ground that relief takes under a line of light: never
+// none, or light would graze the ground.
+constexpr double kLeastRelief = 0.05, kRelief = 0.5;
 // A crest takes the cells this far in front of the shadow: two, as on a single line of
 // cells oblique crests have gaps, and off the border itself, where rounding would make
 // teeth.
@@ -67,7 +68,9 @@ Field<float> shadow_ceiling(const ShadowPlan& plan, const std::vector<float>& cr
         const double length = plan.length(plan.runs[i]);
         each_cell(plan, plan.runs[i], [&](Cell c, double behind) {
             const double room = std::max(0.0, std::min(behind, length - behind));
-            const double drop = behind + kRelief * relief(c.x, c.y) * room;
+            const double below =
+                kLeastRelief + (kRelief - kLeastRelief) * relief(c.x, c.y);
+            const double drop = behind + below * room;
             const float height = crests[i] - static_cast<float>(plan.rise * drop);
             ceiling(c.x, c.y) = std::min(ceiling(c.x, c.y), height);
         });
