@@ -11,6 +11,7 @@
 #include "field/dem.h"
 #include "field/error.h"
 #include "field/files.h"
+#include "field/svg.h"
 #include "field/vec.h"
 
 namespace fs = std::filesystem;
@@ -133,11 +134,12 @@ std::string description(const config::SceneSpec& spec) {
 }
 
 std::string description(const fs::path& file) {
-    open_source(file);  // complains about missing, empty and huge files
+    const Source source = open_source(file);  // refuses missing, empty and huge files
     if (file.extension() == ".toml") {
         return description(config::Scene::load(file).at(0.0));
     }
     if (file.extension() == ".json") return manifest_text(file);
+    if (is_svg(source)) return fmt::format("{}: a drawing (SVG)\n", file.string());
     if (const auto image = OIIO::ImageInput::open(file.string())) {
         if (!holds_heights(file, image->spec())) return image_text(file, image->spec());
     }

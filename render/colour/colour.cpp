@@ -43,7 +43,9 @@ std::string one_line(std::string text) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::exception& error) {
-    throw bad_request("{}: not a usable OCIO config: {}", file.string(),
+    const char* named = std::getenv("OCIO");
+    throw bad_request("{}: not a usable OCIO config{}: {}", file.string(),
+                      named && file == named ? " (named by $OCIO)" : "",
                       one_line(error.what()));
 }
 

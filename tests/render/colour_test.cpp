@@ -179,7 +179,8 @@ TEST_F(Colour, MissingConfig) {
 
 TEST_F(Colour, FolderAsConfig) {
     const Environment ocio("OCIO", folder.path().c_str());
-    expect_error(ExitCode::kBadRequest, "not a usable OCIO config", [] { Display{{}}; });
+    expect_error(ExitCode::kBadRequest, "not a usable OCIO config (named by $OCIO)",
+                 [] { Display{{}}; });
 }
 
 TEST_F(Colour, BrokenConfig) {
