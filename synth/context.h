@@ -2,11 +2,28 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
+#include "field/image.h"
 #include "field/progress.h"
 #include "field/terrain.h"
 
 namespace cydonia {
+
+// Where a stage shows how it came to its land, when that was asked for.
+struct Explain {
+    // `name` is a file-name-safe word: a picture of what it says.
+    std::function<void(const std::string& name, const Field<Rgb8>& picture)> picture;
+    // Comma-separated values, a line of names first.
+    std::function<void(const std::string& name, const std::string& csv)> table;
+};
+
+// What a stage remembers from run to run, so that a small change is a small work. Never
+// needed for the result: a run without finds the same bytes.
+struct Memory {
+    std::function<std::string()> recall;  // what was kept last; empty when nothing was
+    std::function<void(const std::string& bytes)> keep;
+};
 
 // What a stage may use besides its options and the terrain so far; owned by app/.
 struct Context {
@@ -15,7 +32,9 @@ struct Context {
     // Hard shadows of the terrain under the sun, as the Embree caster sees them: `rays` x
     // `rays` samples a cell, so (rays * width) x (rays * height), 1 in shadow.
     std::function<Field<std::uint8_t>(const Terrain&, const Sun&, int rays)> cast;
-    Progress* progress = nullptr;  // never null when a stage runs
+    Progress* progress = nullptr;      // never null when a stage runs
+    const Explain* explain = nullptr;  // null unless asked for
+    const Memory* memory = nullptr;    // null where nothing is kept
 };
 
 }  // namespace cydonia

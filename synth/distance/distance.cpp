@@ -21,20 +21,8 @@ void require(bool holds, const char* name, double value, const char* rule) {
     if (!holds) throw bad_request("{} is {}: it must be {}", name, value, rule);
 }
 
-void check(const CostRule& rule, double width) {
-    require(rule.noise.octaves >= 0 && rule.noise.octaves <= 30, "cost octaves",
-            rule.noise.octaves, "from 0 to 30");
-    require(rule.noise.grid > 0.0, "cost grid", rule.noise.grid, "above 0");
-    require(rule.noise.lacunarity > 0.0, "cost lacunarity", rule.noise.lacunarity,
-            "above 0");
-    const double low = rule.range[0].in(width), high = rule.range[1].in(width);
-    require(low >= 0.0, "lowest random cost (m)", low, "at least 0");
-    require(high >= low, "highest random cost (m)", high, "at least the lowest");
-}
-
 void check(const Options& options, const Terrain& terrain) {
     const double width = terrain.width();
-    const double cells = static_cast<double>(terrain.heights.size());
     require(options.sea_level_scale > 0.0, "sea_level_scale", options.sea_level_scale,
             "above 0");
     require(options.blending_bias >= 0.0, "blending_bias", options.blending_bias,
@@ -46,17 +34,6 @@ void check(const Options& options, const Terrain& terrain) {
             "at least 0 and below 1");
     require(options.minimum_scale > 0.0, "minimum_scale", options.minimum_scale,
             "above 0");
-    require(options.peaks.count >= 0 && options.peaks.count <= cells, "peaks count",
-            options.peaks.count, "at least 0 and at most the number of samples");
-    require(options.ridges.count >= 0 && options.ridges.count <= cells, "ridges count",
-            options.ridges.count, "at least 0 and at most the number of samples");
-    require(options.ridges.cost_factor >= 0.0, "ridges cost_factor",
-            options.ridges.cost_factor, "at least 0");
-    check(options.cost, width);
-    check(options.peaks.cost, width);
-    if (options.profile.image && !options.profile.points.empty()) {
-        throw bad_request("profile: give a picture or points, not both");
-    }
 }
 
 void check_memory(const Options& options, double cells) {
@@ -86,12 +63,14 @@ Features above_sea(const Features& features, double sea_level) {
     Features kept;
     for (int f = 0; f < features.count(); ++f) {
         const std::size_t before = kept.starts.size();
-        for (const Start& start : features.of(f)) {
-            if (start.cost < sea_level) kept.starts.push_back(start);
+        for (int i = features.first[f]; i < features.first[f + 1]; ++i) {
+            if (!(features.starts[i].cost < sea_level)) continue;
+            kept.starts.push_back(features.starts[i]);
+            if (!features.sides.empty()) kept.sides.push_back(features.sides[i]);
         }
-        if (kept.starts.size() > before) {
-            kept.first.push_back(static_cast<int>(kept.starts.size()));
-        }
+        if (kept.starts.size() == before) continue;
+        kept.first.push_back(static_cast<int>(kept.starts.size()));
+        kept.features.push_back(features.features[f]);
     }
     return kept;
 }
@@ -112,7 +91,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     progress.step("distance: graph and generators");
     const Graph graph = graph_of(terrain.heights.width(), terrain.heights.height(),
                                  terrain.spacing, edges_of(options, width), context.seed);
-    const Features placed = features_of(options, graph, context.seed);
+    const Features placed = features_of(options, graph, terrain, context.seed);
     const double sea_level = sea_level_of(placed, options.sea_level_scale);
     const Features features = above_sea(placed, sea_level);
     Terrain result = terrain;
@@ -120,15 +99,11 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         progress.warn("distance: every generator lies at sea level, so no land rises");
         return result;
     }
-    std::optional<Descent> descent;
-    if (!options.profile.empty()) {
-        descent = descent_of(options.profile, sea_level, options.mean_edge_weight,
-                             options.minimum_scale, width);
-    }
+    const std::vector<Descent> descents = descents_of(options, sea_level, width);
 
     progress.step("distance: features");
     const Field<float> heights =
-        blended_heights(graph, features, descent ? &*descent : nullptr,
+        blended_heights(graph, features, descents.empty() ? nullptr : &descents.front(),
                         blend_of(options, sea_level, width), progress);
     for (std::size_t i = 0; i < heights.size(); ++i) result.heights[i] += heights[i];
     return result;

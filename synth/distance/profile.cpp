@@ -70,11 +70,12 @@ void check_falling(std::vector<Point>& points, double tolerance, const std::stri
 
 std::vector<Point> falling_line(const Profile& profile) {
     std::vector<Point> points;
-    if (profile.image) {
-        points = traced_line(*profile.image);
-        check_falling(points, 1.0, "profile " + profile.image->path.string(), " pixels");
+    const Curve& curve = profile.curve;
+    if (curve.image) {
+        points = traced_line(*curve.image);
+        check_falling(points, 1.0, "profile " + curve.image->path.string(), " pixels");
     } else {
-        for (const auto& [x, y] : profile.points) points.push_back({x, y});
+        for (const auto& [x, y] : curve.points) points.push_back({x, y});
         check_falling(points, 0.0, "profile", "");
     }
     return points;
@@ -154,6 +155,15 @@ Descent descent_of(const Profile& profile, double sea_level, double mean_edge_we
         descent.costs[i] = static_cast<float>(line[k].y + slopes[k] * (x - line[k].x));
     }
     return descent;
+}
+
+std::vector<Descent> descents_of(const Options& options, double sea_level, double width) {
+    std::vector<Descent> descents;
+    for (const Profile& profile : options.profiles) {
+        descents.push_back(descent_of(profile, sea_level, options.mean_edge_weight,
+                                      options.minimum_scale, width));
+    }
+    return descents;
 }
 
 ProfileGrowth::ProfileGrowth(const Descent& descent, std::span<const Start> starts,

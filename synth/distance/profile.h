@@ -30,6 +30,9 @@ struct Descent {
     float per_metre = 0.0f;  // table places a metre
 };
 
+// The cost line of every profile of the options. See descent_of.
+std::vector<Descent> descents_of(const Options& options, double sea_level, double width);
+
 // Rusnell 2009, section 3.3.1. Points with the same height count as one slope, the mean
 // over their run; slopes below minimum_scale * mean_edge_weight are interpolated from the
 // nearest steeper ones on both sides. `width` is the terrain's, metres. Throws
