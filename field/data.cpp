@@ -19,23 +19,36 @@ std::vector<fs::path> data_folders() {
     if (!error)
         folders.push_back(program.parent_path().parent_path() / "share" / "cydonia");
     folders.emplace_back(CYDONIA_SOURCE_DATA);
+    folders.push_back(folders.back().parent_path());  // where scenes/ stands
     return folders;
+}
+
+fs::path found(std::string_view relative, bool (*is_there)(const fs::path&)) {
+    std::string looked_in;
+    for (const fs::path& folder : data_folders()) {
+        const fs::path path = folder / relative;
+        if (is_there(path)) return path;
+        looked_in += (looked_in.empty() ? "" : ", ") + folder.string();
+    }
+    throw failure(
+        "the program's '{}' is missing (looked in {}); "
+        "name its folder in the environment variable CYDONIA_DATA",
+        relative, looked_in);
+}
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code error;
+    return fs::is_directory(path, error);
 }
 
 }  // namespace
 
-fs::path data_file(std::string_view relative) {
-    std::string looked_in;
-    for (const fs::path& folder : data_folders()) {
-        const fs::path path = folder / relative;
-        std::error_code error;
-        if (fs::is_regular_file(path, error)) return path;
-        looked_in += (looked_in.empty() ? "" : ", ") + folder.string();
-    }
-    throw failure(
-        "the data file '{}' is missing (looked in {}); "
-        "name its folder in the environment variable CYDONIA_DATA",
-        relative, looked_in);
-}
+fs::path data_file(std::string_view relative) { return found(relative, is_file); }
+fs::path data_folder(std::string_view relative) { return found(relative, is_folder); }
 
 }  // namespace cydonia

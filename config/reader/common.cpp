@@ -48,7 +48,9 @@ void read(Table& t, NoiseOptions& noise) {
 }
 
 void check_edge_weights(Table& t, double mean, double deviation) {
-    t.check(deviation < mean, {"edge_weight_deviation", "mean_edge_weight"},
+    t.check(deviation < mean,
+            {"edge_weight_deviation_map", "edge_weight_deviation", "mean_edge_weight_map",
+             "mean_edge_weight"},
             fmt::format("edge_weight_deviation {} must be below mean_edge_weight {}",
                         deviation, mean));
 }

@@ -1,99 +1,159 @@
+#include "config/reader/distance.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "config/reader/readers.h"
 
 namespace cydonia::config {
 
-using distance::CostRule;
+using distance::Group;
+using distance::Map;
 using distance::Options;
-using distance::PeakOptions;
 using distance::Profile;
-using distance::RidgeOptions;
+using distance::Region;
+using distance::Water;
 
 namespace {
-
-constexpr Name<CostRule::Kind> kCostKinds[] = {
-    {"noise", CostRule::Kind::kNoise},
-    {"random", CostRule::Kind::kRandom},
-};
 
 constexpr Name<Options::Metric> kMetrics[] = {
     {"euclidean", Options::Metric::kEuclidean},
     {"thesis", Options::Metric::kThesis},
 };
 
-constexpr int kMostFeatures = 1000000;
+constexpr Name<Options::Combine> kCombines[] = {
+    {"add", Options::Combine::kAdd},
+    {"replace", Options::Combine::kReplace},
+};
 
-bool falls(const std::vector<std::array<double, 2>>& points) {
-    return std::ranges::adjacent_find(points, [](const auto& a, const auto& b) {
-               return b[0] <= a[0] || b[1] > a[1];
-           }) == points.end();
+constexpr std::size_t kMostGroups = 64, kMostProfiles = 64, kMostRegions = 64,
+                      kMostWaters = 64;
+constexpr Range kWeights = above_to(0.0, 1000.0), kDeviations = from(0.0, 1000.0),
+                kBiases = from(0.0, 100.0);
+
+}  // namespace
+
+void read(Table& t, Map& map, const Range& range) {
+    t.required("image", map.image, File{});
+    t.required("range", map.range, Number{range});
 }
 
-bool rises(const std::array<Length, 2>& range) {
-    const auto [least, most] = range;
-    const bool same_unit = (least.metres == 0.0 && most.metres == 0.0) ||
-                           (least.fraction == 0.0 && most.fraction == 0.0);
-    return same_unit && least.metres <= most.metres && least.fraction <= most.fraction;
+void read(Table& t, Region& region, const Names& names) {
+    const GroupName group{names.groups, ""};
+    t.field("image", region.image, File{});
+    t.field("inside", region.inside, group);
+    t.field("profile", region.profile, ProfileName{names.profiles});
+    t.field("only", region.only, group);
+    t.field("feather", region.feather, LengthUnit{at_least(0.0)});
+    t.check(region.image.has_value() == region.inside.empty(), {"inside", "image"},
+            "needs exactly one of image and inside");
+    t.only_if(names.random_weights, {"profile"}, "random weights, not for edge_weights");
+}
+
+void read(Table& t, Water& water, const Names& names) {
+    t.required("image", water.image, File{});
+    t.field("level", water.level, LengthUnit{}, "auto");
+    t.field("depth", water.depth, LengthUnit{above(0.0)});
+    t.field("bed", water.bed, ProfileName{names.profiles});
+    t.field("shore_slope", water.shore_slope, Number{kWeights});
+}
+
+namespace {
+
+void read_weights(Table& t, Options& o) {
+    t.field("mean_edge_weight", o.mean_edge_weight, Number{kWeights});
+    t.table("mean_edge_weight_map", o.mean_edge_weight_map, kWeights);
+    t.field("edge_weight_deviation", o.edge_weight_deviation, Number{kDeviations});
+    t.table("edge_weight_deviation_map", o.edge_weight_deviation_map, kDeviations);
+    t.table("edge_weights", o.edge_weights, kWeights);
+    t.field("grain", o.grain, LengthUnit{above(0.0)});
+    t.field("metric", o.metric, one_of(kMetrics));
+    t.field("neighbours", o.neighbours, Whole{8, 16});
+
+    t.only_if(!o.edge_weights,
+              {"mean_edge_weight", "mean_edge_weight_map", "edge_weight_deviation",
+               "edge_weight_deviation_map", "grain"},
+              "random weights, not for edge_weights");
+    t.only_if(!o.mean_edge_weight_map, {"mean_edge_weight"},
+              "a stage without mean_edge_weight_map");
+    t.only_if(!o.edge_weight_deviation_map, {"edge_weight_deviation"},
+              "a stage without edge_weight_deviation_map");
+    check_edge_weights(
+        t,
+        o.mean_edge_weight_map ? std::ranges::min(o.mean_edge_weight_map->range)
+                               : o.mean_edge_weight,
+        o.edge_weight_deviation_map ? std::ranges::max(o.edge_weight_deviation_map->range)
+                                    : o.edge_weight_deviation);
+    t.check(o.neighbours == 8 || o.neighbours == 16, {"neighbours"}, "must be 8 or 16");
+}
+
+void read_blending(Table& t, Options& o) {
+    t.field("sea_level_scale", o.sea_level_scale, Number{above_to(0.0, 100.0)});
+    t.field("blending_bias", o.blending_bias, Number{kBiases});
+    t.table("blending_bias_map", o.blending_bias_map, kBiases);
+    t.field("sea_level_threshold", o.sea_level_threshold, LengthUnit{at_least(0.0)});
+    t.field("approximate_threshold", o.approximate_threshold,
+            Number{Range{0.0, 1.0, true, false}});
+    t.field("minimum_scale", o.minimum_scale, Number{above_to(0.0, 1.0)});
+    t.only_if(!o.blending_bias_map, {"blending_bias"},
+              "a stage without blending_bias_map");
+}
+
+void read_profiles(Table& t, Options& o, Names& names) {
+    t.tables("profile", o.profiles, kMostProfiles);
+    t.unique("profile", "name");
+    for (const Profile& profile : o.profiles) names.profiles.push_back(profile.name);
+    t.only_if(names.random_weights, {"profile"}, "random weights, not for edge_weights");
+}
+
+// Every profile that is asked for by name, once, in the file's order.
+std::vector<std::string> wanted_profiles(const Options& o) {
+    std::vector<std::string> wanted;
+    const auto want = [&](const std::string& name) {
+        if (!name.empty() && std::ranges::find(wanted, name) == wanted.end())
+            wanted.push_back(name);
+    };
+    for (const Group& group : o.groups) {
+        std::ranges::for_each(group.profile, want);
+        want(group.other_side);
+    }
+    for (const Region& region : o.regions) want(region.profile);
+    for (const Water& water : o.water) want(water.bed);
+    return wanted;
+}
+
+// Those that the stage has not itself, from the files that ship.
+void add_shipped_profiles(Table& t, Options& o) {
+    for (const std::string& name : wanted_profiles(o)) {
+        if (std::ranges::find(o.profiles, name, &Profile::name) != o.profiles.end())
+            continue;
+        Profile profile;
+        profile.name = name;
+        profile.curve.table =
+            t.shipped(fmt::format("profile.{}.table", name), shipped_profile(name));
+        o.profiles.push_back(profile);
+    }
 }
 
 }  // namespace
 
-void read(Table& t, CostRule& cost) {
-    t.field("kind", cost.kind, one_of(kCostKinds));
-    t.table("noise", cost.noise);
-    t.field("range", cost.range, LengthUnit{at_least(0.0)});
-    t.only_if(cost.kind == CostRule::Kind::kNoise, {"noise"}, "kind = \"noise\"");
-    t.only_if(cost.kind == CostRule::Kind::kRandom, {"range"}, "kind = \"random\"");
-    t.check(rises(cost.range), {"range"},
-            "must go from least to most, both in metres or both as shares of the width");
-}
-
-void read(Table& t, PeakOptions& peaks) {
-    t.field("count", peaks.count, Whole{0, kMostFeatures});
-    t.table("cost", peaks.cost);
-}
-
-void read(Table& t, RidgeOptions& ridges) {
-    t.field("count", ridges.count, Whole{0, kMostFeatures});
-    t.field("cost_factor", ridges.cost_factor, Number{from(0.0, 1.0)});
-}
-
-void read(Table& t, Profile& profile) {
-    t.field("image", profile.image, File{});
-    t.field("points", profile.points, Number{});
-    t.field("reach", profile.reach, LengthUnit{above(0.0)});
-    t.check(!profile.image || profile.points.empty(), {"points", "image"},
-            "give an image or points, not both");
-    t.check(profile.points.size() != 1, {"points"}, "needs at least two points");
-    t.check(falls(profile.points), {"points"},
-            "x must rise and f(x) must not rise from one point to the next");
-    t.only_if(!profile.empty(), {"reach"}, "a profile with an image or points");
-}
-
 void read(Table& t, Options& o) {
-    t.field("strokes", o.strokes, File{});
-    t.table("cost", o.cost);
-    t.table("peaks", o.peaks);
-    t.table("ridges", o.ridges);
-    t.table("profile", o.profile);
-    t.field("mean_edge_weight", o.mean_edge_weight, Number{above_to(0.0, 1000.0)});
-    t.field("edge_weight_deviation", o.edge_weight_deviation, Number{from(0.0, 1000.0)});
-    t.field("grain", o.grain, LengthUnit{above(0.0)});
-    t.field("sea_level_scale", o.sea_level_scale, Number{above_to(0.0, 100.0)});
-    t.field("blending_bias", o.blending_bias, Number{from(0.0, 100.0)});
-    t.field("sea_level_threshold", o.sea_level_threshold, LengthUnit{at_least(0.0)});
-    t.field("approximate_threshold", o.approximate_threshold, Number{from(0.0, 1.0)});
-    t.field("minimum_scale", o.minimum_scale, Number{above_to(0.0, 1.0)});
-    t.field("metric", o.metric, one_of(kMetrics));
-    t.field("neighbours", o.neighbours, Whole{8, 16});
-
-    t.check(o.neighbours == 8 || o.neighbours == 16, {"neighbours"}, "must be 8 or 16");
-    check_edge_weights(t, o.mean_edge_weight, o.edge_weight_deviation);
-    t.check(o.strokes || o.peaks.count > 0, {"strokes", "peaks"},
-            "nothing to build from; give strokes or peaks.count");
+    read_weights(t, o);
+    read_blending(t, o);
+    Names names;
+    names.random_weights = !o.edge_weights;
+    read_profiles(t, o, names);
+    t.tables("group", o.groups, kMostGroups, names);
+    t.tables("region", o.regions, kMostRegions, names);
+    t.tables("water", o.water, kMostWaters, names);
+    add_shipped_profiles(t, o);
+    t.field("vertical_scale", o.vertical_scale, Number{kWeights});
+    t.field("combine", o.combine, one_of(kCombines));
+    t.field("preview", o.preview, Flag{});
+    t.check(!o.groups.empty(), {"group"},
+            "nothing to build from; give at least one [[terrain.stage.group]]");
 }
 
 }  // namespace cydonia::config

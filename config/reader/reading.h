@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,6 +46,19 @@ struct TrackPoint {
     double weight;
 };
 TrackPoint track_point(const std::vector<TrackKey>& keys, double frame);
+
+// Whether a unit gives the whole of a T, as a colour is one value though it has three
+// numbers.
+template <class Unit, class T>
+concept Gives = requires(const Unit& unit, const Value& value, Files& files) {
+    { unit.read(value, files) } -> std::same_as<T>;
+};
+
+// One value where it stands alone, or an array of them.
+template <class Unit>
+struct OneOrMore {
+    Unit unit;
+};
 
 // The elements of an array of `least` to `most`; null after a mistake.
 const Value::Array* elements(Reading& reading, const Value& value,
@@ -100,8 +114,11 @@ bool read_value(Reading& reading, const Value& value, const std::string& path, T
 }
 
 template <class T, std::size_t N, class Unit>
-bool read_value(Reading& reading, const Value& value, const std::string& path,
-                std::array<T, N>& out, const Unit& unit) {
+requires(!Gives<Unit, std::array<T, N>>) bool read_value(Reading& reading,
+                                                         const Value& value,
+                                                         const std::string& path,
+                                                         std::array<T, N>& out,
+                                                         const Unit& unit) {
     const auto* array = elements(reading, value, path, N, N);
     bool good = array != nullptr;
     for (std::size_t i = 0; array && i < N; ++i)
@@ -121,6 +138,15 @@ bool read_value(Reading& reading, const Value& value, const std::string& path,
     return good;
 }
 
+template <class T, class Unit>
+bool read_value(Reading& reading, const Value& value, const std::string& path,
+                std::vector<T>& out, const OneOrMore<Unit>& unit) {
+    if (std::holds_alternative<Value::Array>(value.data))
+        return read_value(reading, value, path, out, unit.unit);
+    out.assign(1, T{});
+    return read_value(reading, value, path, out[0], unit.unit);
+}
+
 // note: a value's line of canonical text, and the file behind it.
 template <class T, class Unit>
 void note(Record& record, const std::string& path, const T& value, const Unit& unit) {
@@ -129,8 +155,10 @@ void note(Record& record, const std::string& path, const T& value, const Unit& u
 }
 
 template <class T, std::size_t N, class Unit>
-void note(Record& record, const std::string& path, const std::array<T, N>& values,
-          const Unit& unit) {
+requires(!Gives<Unit, std::array<T, N>>) void note(Record& record,
+                                                   const std::string& path,
+                                                   const std::array<T, N>& values,
+                                                   const Unit& unit) {
     for (std::size_t i = 0; i < N; ++i) note(record, element(path, i), values[i], unit);
 }
 
@@ -140,6 +168,12 @@ void note(Record& record, const std::string& path, const std::vector<T>& values,
     if (values.empty()) record.lines.push_back(path + " = none");
     for (std::size_t i = 0; i < values.size(); ++i)
         note(record, element(path, i), values[i], unit);
+}
+
+template <class T, class Unit>
+void note(Record& record, const std::string& path, const std::vector<T>& values,
+          const OneOrMore<Unit>& unit) {
+    note(record, path, values, unit.unit);
 }
 
 template <class T, class Unit>

@@ -53,6 +53,18 @@ void Table::unique(std::string_view tables_key, std::string_view key) {
     }
 }
 
+std::optional<Source> Table::shipped(const std::string& key,
+                                     const std::filesystem::path& file) {
+    try {
+        const Source& source = reading_.files.open(file.string());
+        note(record_, key, source, File{});
+        return source;
+    } catch (const Wrong& wrong) {
+        mistake(key, wrong.message);
+        return std::nullopt;
+    }
+}
+
 void Table::report_unknown() const {
     if (!value_ || ignore_unknown_) return;
     for (const auto& [key, at, value] : std::get<Value::Table>(value_->data))

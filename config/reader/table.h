@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <set>
@@ -31,14 +32,20 @@ class Table {
     template <class T, class Unit>
     bool required(std::string_view key, T& out, const Unit& unit);
 
-    // A table within, read by read(Table&, T&); an optional one only when it is there.
-    template <class T>
-    void table(std::string_view key, T& out);
-    template <class T>
-    void table(std::string_view key, std::optional<T>& out);
+    // A table within, read by read(Table&, T&, context...); an optional one only when it
+    // is there.
+    template <class T, class... Context>
+    void table(std::string_view key, T& out, Context&&... context);
+    template <class T, class... Context>
+    void table(std::string_view key, std::optional<T>& out, Context&&... context);
     // [[key]]: at most `most` of them.
-    template <class T>
-    void tables(std::string_view key, std::vector<T>& out, std::size_t most);
+    template <class T, class... Context>
+    void tables(std::string_view key, std::vector<T>& out, std::size_t most,
+                Context&&... context);
+
+    // A file that the scene does not name itself, noted as if it did under `key`.
+    std::optional<Source> shipped(const std::string& key,
+                                  const std::filesystem::path& file);
 
     // What must hold between values; said at the first of `keys` that the file has. Not
     // looked at when one of them could not be read.
@@ -66,8 +73,9 @@ class Table {
     void missing(std::string_view key, const std::vector<std::string>& names);
     bool is_table(std::string_view key, const Value& value);
     const Value::Array* array_of_tables(std::string_view key, std::size_t most);
-    template <class T>
-    void read_child(const Value* value, Position at, const std::string& name, T& out);
+    template <class T, class... Context>
+    void read_child(const Value* value, Position at, const std::string& name, T& out,
+                    Context&&... context);
 
     Reading& reading_;
     Record record_;
@@ -116,37 +124,40 @@ bool Table::required(std::string_view key, T& out, const Unit& unit) {
     return !failed_.contains(key);
 }
 
-template <class T>
-void Table::read_child(const Value* value, Position at, const std::string& name, T& out) {
+template <class T, class... Context>
+void Table::read_child(const Value* value, Position at, const std::string& name, T& out,
+                       Context&&... context) {
     Table child(reading_, value, at, path_of(name));
-    read(child, out);
+    read(child, out, context...);
     child.report_unknown();
     record_.append(name, child.record_);
 }
 
-template <class T>
-void Table::table(std::string_view key, T& out) {
+template <class T, class... Context>
+void Table::table(std::string_view key, T& out, Context&&... context) {
     const Value* value = find(key);
     if (!value || is_table(key, *value))
-        read_child(value, position_of(key), std::string(key), out);
+        read_child(value, position_of(key), std::string(key), out, context...);
 }
 
-template <class T>
-void Table::table(std::string_view key, std::optional<T>& out) {
+template <class T, class... Context>
+void Table::table(std::string_view key, std::optional<T>& out, Context&&... context) {
     const Value* value = find(key);
     if (!value)
         record_.lines.push_back(std::string(key) + " = none");
     else if (is_table(key, *value))
-        read_child(value, position_of(key), std::string(key), out.emplace());
+        read_child(value, position_of(key), std::string(key), out.emplace(), context...);
 }
 
-template <class T>
-void Table::tables(std::string_view key, std::vector<T>& out, std::size_t most) {
+template <class T, class... Context>
+void Table::tables(std::string_view key, std::vector<T>& out, std::size_t most,
+                   Context&&... context) {
     const Value::Array* array = array_of_tables(key, most);
     if (!array) return;
     out.assign(array->size(), T{});
     for (std::size_t i = 0; i < out.size(); ++i)
-        read_child(&(*array)[i], (*array)[i].at, element(std::string(key), i), out[i]);
+        read_child(&(*array)[i], (*array)[i].at, element(std::string(key), i), out[i],
+                   context...);
 }
 
 }  // namespace cydonia::config

@@ -72,6 +72,18 @@ std::string line_of_text(const Value& value, std::size_t longest) {
     return *text;
 }
 
+// Without white, which is ground.
+constexpr Name<Colour::Rgb> kColours[] = {
+    {"black", {0, 0, 0}},       {"silver", {192, 192, 192}}, {"gray", {128, 128, 128}},
+    {"maroon", {128, 0, 0}},    {"red", {255, 0, 0}},        {"purple", {128, 0, 128}},
+    {"fuchsia", {255, 0, 255}}, {"green", {0, 128, 0}},      {"lime", {0, 255, 0}},
+    {"olive", {128, 128, 0}},   {"yellow", {255, 255, 0}},   {"navy", {0, 0, 128}},
+    {"blue", {0, 0, 255}},      {"teal", {0, 128, 128}},     {"aqua", {0, 255, 255}},
+    {"orange", {255, 165, 0}},
+};
+
+std::vector<std::string> colour_words() { return one_of(kColours).words(); }
+
 }  // namespace
 
 const Source& Files::open(const std::string& name) {
@@ -160,6 +172,29 @@ std::string Word::read(const Value& value, Files&) const {
 }
 
 std::string Word::text(const std::string& text) const { return text; }
+
+bool Flag::read(const Value& value, Files&) const {
+    const auto* flag = std::get_if<bool>(&value.data);
+    if (!flag) throw unexpected("true or false", value);
+    return *flag;
+}
+
+Colour::Rgb Colour::read(const Value& value, Files&) const {
+    const std::string text = line_of_text(value, 256);
+    if (!text.starts_with('#')) return kColours[named(value, colour_words())].value;
+    std::uint32_t rgb = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + 1, end, rgb, 16);
+    if (error != std::errc{} || rest != end || text.size() != 7)
+        throw Wrong{
+            fmt::format("expected a colour such as \"#d02020\", found '{}'", text)};
+    return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
+            static_cast<std::uint8_t>(rgb)};
+}
+
+std::string Colour::text(const Rgb& rgb) const {
+    return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+}
 
 Source File::read(const Value& value, Files& files) const {
     const std::string name = line_of_text(value, 4096);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -100,6 +101,21 @@ struct Word {
     static constexpr bool kVaries = false;
     std::string read(const Value& value, Files&) const;
     std::string text(const std::string& text) const;
+};
+
+// true or false.
+struct Flag {
+    static constexpr bool kVaries = false;
+    bool read(const Value& value, Files&) const;
+    std::string text(bool flag) const { return flag ? "true" : "false"; }
+};
+
+// A colour of a drawing, sRGB: "#rrggbb" or a basic word of CSS.
+struct Colour {
+    using Rgb = std::array<std::uint8_t, 3>;
+    static constexpr bool kVaries = false;
+    Rgb read(const Value& value, Files&) const;
+    std::string text(const Rgb& rgb) const;
 };
 
 // A path, absolute or relative to the scene file; canonical by content.

@@ -164,10 +164,10 @@ struct Region {
 // beneath.
 struct Water {
     Source image;                 // drawn
-    std::optional<Length> level;  // of the surface above 0; none: the lowest land of the
-                                  // shore, as it would be without water
+    std::optional<Length> level{Length{}};  // of the surface above 0; none: the lowest
+                                            // land of the shore without the water
     Length depth = thesis_units(20.0);  // below the surface at the foot of `bed`
-    std::string bed;                    // profile from the shore inwards
+    std::string bed = "bowl";           // profile from the shore inwards
     double shore_slope = 0.5;           // the steepest that the land rises from it
 };
 
