@@ -67,60 +67,71 @@ struct Share {
     float weight;
 };
 
+// Calls use(growth) with the growth of cost from some of the starts: `first` on.
+template <class Use>
+void with_growth(const Ground& ground, std::span<const Start> starts, int first,
+                 const Use& use) {
+    const Shapes& shapes = ground.shapes;
+    if (shapes.raw()) return use(RawGrowth{starts});
+    if (shapes.plain()) return use(ProfileGrowth(shapes, starts, first));
+    use(ChangingGrowth(ground.graph, shapes, starts, first));
+}
+
 struct Work {
-    const Graph& graph;
-    const Features& features;
-    const Descent* descent;
+    const Ground& ground;
     const BlendOptions& options;
     std::vector<float> approximate;  // heights by node, 0 where no feature comes
+    float sea_level, least, part;
+    std::vector<float> biases;  // by node; empty: options.bias
+    Power power;
 
-    template <class Expand>
-    void spread(LeastCost& paths, std::span<const Start> starts,
-                const Expand& expand) const {
-        if (descent) {
-            paths.spread(starts,
-                         ProfileGrowth(*descent, starts, options.mean_edge_weight),
-                         expand);
-        } else {
-            paths.spread(starts, RawGrowth{starts}, expand);
-        }
+    Work(const Ground& all, const BlendOptions& how, const std::vector<float>& costs)
+        : ground(all),
+          options(how),
+          approximate(costs.size()),
+          sea_level(static_cast<float>(all.shapes.sea_level)),
+          least(static_cast<float>(how.sea_level_threshold)),
+          part(static_cast<float>(how.approximate_threshold)),
+          power(how.bias) {
+        for (std::size_t i = 0; i < costs.size(); ++i)
+            approximate[i] = height_at(costs[i]);
+        if (how.bias_map.empty()) return;
+        biases.resize(costs.size());
+        for (int y = 0; y < all.graph.height; ++y)
+            for (int x = 0; x < all.graph.width; ++x)
+                biases[all.graph.node(x, y)] = how.bias_map(x, y);
     }
     float height_at(float cost) const {  // eq. 3.2
-        return std::max(0.0f, static_cast<float>(options.sea_level) - cost);
+        return std::max(0.0f, sea_level - cost);
+    }
+    float biased(float ratio, int node) const {
+        return biases.empty() ? power(ratio) : std::pow(ratio, biases[node]);
     }
 };
-
-// Steps 5 and 6, with heights for costs (notes.md, Rusnell 5).
-void lay_approximate_heights(Work& work, LeastCost& paths) {
-    const auto least = static_cast<float>(work.options.sea_level_threshold);
-    work.spread(paths, work.features.starts,
-                [&](int, float cost) { return work.height_at(cost) > least; });
-    work.approximate.assign(static_cast<std::size_t>(work.graph.nodes()), 0.0f);
-    for (int node : paths.settled()) {
-        work.approximate[node] = work.height_at(paths[node].cost);
-    }
-}
 
 // Step 7a, and the weights of eq. 3.7. They are relative to the approximate height, which
 // cancels in the sum and keeps any bias within range, and fade towards the border where
 // the pass stops, so that it leaves no seam (notes.md, Rusnell 5).
 std::vector<Share> shares_of(const Work& work, int feature, LeastCost& paths) {
-    const auto least = static_cast<float>(work.options.sea_level_threshold);
-    const auto part = static_cast<float>(work.options.approximate_threshold);
-    work.spread(paths, work.features.of(feature), [&](int node, float cost) {
+    const Features& features = work.ground.features;
+    const std::span<const Start> starts = features.of(feature);
+    const auto expand = [&](int node, float cost) {
         const float height = work.height_at(cost);
-        return height > least && height > part * work.approximate[node];
-    });
+        return height > work.least && height > work.part * work.approximate[node];
+    };
+    with_growth(work.ground, starts, features.first[feature],
+                [&](const auto& growth) { paths.spread(starts, growth, expand); });
 
-    const Power power(work.options.bias);
+    const int group = features.features[feature].group;
     std::vector<Share> shares;
     shares.reserve(paths.settled().size());
     for (int node : paths.settled()) {
         const float height = work.height_at(paths[node].cost);
-        if (!(height > least)) break;  // in order of cost: no higher one follows
+        if (!(height > work.least)) continue;
         const float ratio = std::min(1.0f, height / work.approximate[node]);
-        const float weight =
-            fade_at_sea(height, least) * fade_below(ratio, part) * power(ratio);
+        const float weight = fade_at_sea(height, work.least) *
+                             fade_below(ratio, work.part) * work.biased(ratio, node) *
+                             work.ground.regions.admission(node, group);
         if (weight > 0.0f) shares.push_back({node, height, weight});
     }
     return shares;
@@ -160,7 +171,7 @@ void sum_features(const Work& work, std::vector<std::unique_ptr<LeastCost>>& pas
     };
     tbb::concurrent_queue<LeastCost*> free;
     for (const auto& paths : passes) free.push(paths.get());
-    const int count = work.features.count();
+    const int count = work.ground.features.count();
     int next = 0;
     const auto take = [&](tbb::flow_control& control) {
         auto ticket = std::make_shared<Ticket>();
@@ -200,31 +211,99 @@ int passes_at_once(double cells) {
     return std::min(fit, tbb::this_task_arena::max_concurrency() + 1);
 }
 
-}  // namespace
+template <class Value>
+Field<float> by_sample(const Graph& graph, const Value& value) {
+    Field<float> field(graph.width, graph.height);
+    for (int y = 0; y < graph.height; ++y)
+        for (int x = 0; x < graph.width; ++x) field(x, y) = value(graph.node(x, y));
+    return field;
+}
 
-Field<float> blended_heights(const Graph& graph, const Features& features,
-                             const Descent* descent, const BlendOptions& options,
-                             Progress& progress, PassCounts* counts) {
-    Work work{graph, features, descent, options, {}};
-    PassCounts counted;
-    std::vector<std::unique_ptr<LeastCost>> passes(static_cast<std::size_t>(
-        std::min(passes_at_once(graph.nodes()), features.count())));
-    for (auto& paths : passes) paths = std::make_unique<LeastCost>(graph);
+// The starts of the groups that a region is open to, and their ways, as a ground of their
+// own.
+struct Part {
+    Features features;
+    Shapes shapes;
+};
 
-    lay_approximate_heights(work, *passes.front());
-    counted.approximate = passes.front()->settled().size();
-    Sums sums(graph.nodes());
-    sum_features(work, passes, sums, progress, counted);
-
-    Field<float> heights(graph.width, graph.height);
-    const auto least = static_cast<float>(options.sea_level_threshold);
-    for (int y = 0; y < graph.height; ++y) {
-        for (int x = 0; x < graph.width; ++x) {
-            heights(x, y) = sums.height_at(graph.node(x, y), least);
+Part part_open(const Ground& ground, std::uint64_t open_to) {
+    Part part{{}, ground.shapes};
+    const Features& all = ground.features;
+    part.shapes.ways.clear();
+    part.shapes.other_ways.clear();
+    part.shapes.sides.clear();
+    const auto keep = [](const auto& from, auto& to, int i) {
+        if (!from.empty()) to.push_back(from[i]);
+    };
+    for (int f = 0; f < all.count(); ++f) {
+        if (!(open_to >> all.features[f].group & 1)) continue;
+        for (int i = all.first[f]; i < all.first[f + 1]; ++i) {
+            part.features.starts.push_back(all.starts[i]);
+            keep(ground.shapes.ways, part.shapes.ways, i);
+            keep(ground.shapes.other_ways, part.shapes.other_ways, i);
+            keep(ground.shapes.sides, part.shapes.sides, i);
         }
     }
+    return part;
+}
+
+void spread_all(const Ground& ground, float least, LeastCost& paths) {
+    const std::span<const Start> starts = ground.features.starts;
+    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
+    with_growth(ground, starts, 0, [&](const auto& growth) {
+        paths.spread(starts, growth,
+                     [&](int, float cost) { return sea_level - cost > least; });
+    });
+}
+
+}  // namespace
+
+std::vector<float> approximate_costs(const Ground& ground, const BlendOptions& options) {
+    const auto least = static_cast<float>(options.sea_level_threshold);
+    LeastCost paths(ground.graph);
+    spread_all(ground, least, paths);
+    std::vector<float> costs(static_cast<std::size_t>(ground.graph.nodes()), kUnreached);
+    for (int node : paths.settled()) costs[node] = paths[node].cost;
+    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
+
+    // In a region that is closed to some, the others make the land alone.
+    const Regions& regions = ground.regions;
+    for (std::size_t i = 0; i < regions.open_to.size(); ++i) {
+        if (regions.open_to[i] == 0) continue;
+        const Part part = part_open(ground, regions.open_to[i]);
+        spread_all({ground.graph, part.features, part.shapes, regions}, least, paths);
+        for (std::size_t node = 0; node < costs.size(); ++node) {
+            if (regions.closed[node] == 0.0f || regions.closed_by[node] != i) continue;
+            const float here = paths[static_cast<int>(node)].cost;
+            costs[node] = std::lerp(std::min(costs[node], sea_level),
+                                    std::min(here, sea_level), regions.closed[node]);
+        }
+    }
+    return costs;
+}
+
+Field<float> blended_heights(const Ground& ground, const BlendOptions& options,
+                             const std::vector<float>& costs, Progress& progress,
+                             PassCounts* counts) {
+    const Work work(ground, options, costs);
+    PassCounts counted;
+    counted.approximate = static_cast<std::size_t>(
+        std::ranges::count_if(costs, [](float cost) { return cost < kUnreached; }));
+    std::vector<std::unique_ptr<LeastCost>> passes(static_cast<std::size_t>(
+        std::min(passes_at_once(ground.graph.nodes()), ground.features.count())));
+    for (auto& paths : passes) paths = std::make_unique<LeastCost>(ground.graph);
+
+    Sums sums(ground.graph.nodes());
+    sum_features(work, passes, sums, progress, counted);
     if (counts) *counts = counted;
-    return heights;
+    return by_sample(ground.graph,
+                     [&](int node) { return sums.height_at(node, work.least); });
+}
+
+Field<float> approximate_heights(const Ground& ground, const std::vector<float>& costs) {
+    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
+    return by_sample(ground.graph,
+                     [&](int node) { return std::max(0.0f, sea_level - costs[node]); });
 }
 
 double blend_bytes(double cells) {

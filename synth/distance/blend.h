@@ -1,20 +1,31 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "field/field.h"
 #include "field/progress.h"
 #include "synth/distance/features.h"
-#include "synth/distance/options.h"
-#include "synth/distance/profile.h"
+#include "synth/distance/growth.h"
+#include "synth/distance/regions.h"
 
 namespace cydonia::distance {
 
 // Where a feature's own pass ends and how features meet; lengths in metres.
 struct BlendOptions {
-    double sea_level = 0.0;               // c_s
-    double bias = 3.0;                    // b
+    double bias = 3.0;                    // b, where there is no map
+    Field<float> bias_map;                // b of each sample; empty: everywhere the same
     double sea_level_threshold = 5.0;     // epsilon_s
     double approximate_threshold = 0.05;  // p_f
-    double mean_edge_weight = 2.0;        // mu_w, for profiles
+};
+
+// Everything that passes run over. All starts cost less than sea level.
+struct Ground {
+    const Graph& graph;
+    const Features& features;
+    const Shapes& shapes;
+    const Regions& regions;
 };
 
 // What the work settled, for benchmarks.
@@ -23,12 +34,19 @@ struct PassCounts {
     std::size_t features = 0;     // nodes of all passes with one
 };
 
-// Rusnell 2009, Algorithm 3, steps 5 to 7: heights above sea level, in metres. All starts
-// cost less than sea level. `descent` is null where raw edge weights shape the land. The
-// heights do not depend on the number of threads.
-Field<float> blended_heights(const Graph& graph, const Features& features,
-                             const Descent* descent, const BlendOptions& options,
+// Rusnell 2009, Algorithm 3, steps 5 and 6: costs by node, above sea level where no
+// feature comes.
+std::vector<float> approximate_costs(const Ground& ground, const BlendOptions& options);
+
+// Algorithm 3, step 7: heights above sea level, in metres, from the approximate costs.
+// They do not depend on the number of threads.
+Field<float> blended_heights(const Ground& ground, const BlendOptions& options,
+                             const std::vector<float>& approximate_costs,
                              Progress& progress, PassCounts* counts = nullptr);
+
+// Step 6 alone: the highest feature of every place, with seams between them.
+Field<float> approximate_heights(const Ground& ground,
+                                 const std::vector<float>& approximate_costs);
 
 // Bytes that blended_heights takes for a graph of this size, besides the graph.
 double blend_bytes(double cells);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -20,51 +21,43 @@ struct Start {
 
 // What a pass leaves at a node.
 struct Label {
+    static constexpr std::uint8_t kStart = 255;
+
     float cost = kUnreached;
-    float length = 0.0f;  // sum of the raw edge weights since the origin
-    int origin = -1;      // index of the start
-    int from = -1;        // the node before on the path; -1 at a start
+    float length = 0.0f;              // along the path, as its growth counts it
+    int origin = -1;                  // index of the start
+    std::uint8_t direction = kStart;  // of the edge that the path came by
+    std::uint8_t way = 0;             // of growing, for growths that have several,
+    std::uint8_t side = 0;            // and of the stroke
 };
 
-// How cost grows along a path, as a function of its origin and the sum of its raw edge
-// weights: growth.from(origin) returns a function of length that does not decrease, its
-// value at 0 the start's cost. A function, not a factor of each edge (eq. 3.4): the
-// same to first order in the edge's length, exact at every resolution, and a least-cost
-// path's beginnings are least-cost paths themselves.
-
-// Raw edge weights: no profile.
-struct RawGrowth {
-    std::span<const Start> starts;
-    auto from(int origin) const {
-        return [cost = starts[origin].cost](float length) { return cost + length; };
-    }
-};
-
-// A constant profile for each start: every edge of a path times its origin's factor.
-struct ConstantGrowth {
-    std::span<const Start> starts;
-    std::span<const float> factors;  // as many as starts, each > 0
-    auto from(int origin) const {
-        return [cost = starts[origin].cost, factor = factors[origin]](float length) {
-            return cost + factor * length;
-        };
-    }
-};
+// How cost grows along a path, synth/distance/growth.h. A growth has
+//   Label begin(int origin) const                            at a start
+//   auto from(int node, const Label&) const                  a function of (direction,
+//       neighbour, edge's weight): the Label that the path has there, its cost above the
+//       one before; `origin` and `direction` are filled in for it
+//   float key(float cost) const                              rises with cost
+//   float least_step(float edge) const                       what key rises by, at
+//       least, over an edge of weight `edge`
+// Cost is a function of its origin and the length along the path, not a product of
+// factors along it (eq. 3.4): the same to first order in an edge's length, exact at every
+// resolution, and the beginnings of a least-cost path are least-cost paths.
 
 // Every node settled is searched on from.
 struct ExpandAll {
     bool operator()(int /*node*/, float /*cost*/) const { return true; }
 };
 
-// Least-cost paths over a graph, from many starts at once (Dijkstra, label-setting):
-// nodes settle in order of cost, equal costs in order of node, so labels do not depend on
-// the queue. One object serves many passes; each touches only the cells it reaches.
+// Least-cost paths over a graph, from many starts at once (Dijkstra, label-setting). Of
+// equal costs the path of the lower origin, then direction, holds, so that labels do not
+// depend on the queue. One object serves many passes; each touches only the cells it
+// reaches.
 class LeastCost {
   public:
     explicit LeastCost(const Graph& graph)
         : graph_(&graph),
-          labels_(static_cast<std::size_t>(graph.nodes())),
-          queue_(bucket_width(graph)) {
+          least_edge_(least_edge(graph)),
+          labels_(static_cast<std::size_t>(graph.nodes())) {
         for (int node = 0; node < graph.nodes(); ++node) {
             const int x = graph.x_of(node), y = graph.y_of(node);
             const bool inside = x >= 0 && y >= 0 && x < graph.width && y < graph.height;
@@ -77,9 +70,15 @@ class LeastCost {
     template <class Growth, class Expand = ExpandAll>
     void spread(std::span<const Start> starts, const Growth& growth,
                 const Expand& expand = {}) {
-        clear();
+        for (int node : settled_) labels_[node] = Label{};
+        settled_.clear();
+        // A little narrower than the least step, for the rounding of keys.
+        queue_.reset(0.95f * growth.least_step(least_edge_));
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            improve(starts[i].node, {starts[i].cost, 0.0f, static_cast<int>(i), -1});
+            Label label = growth.begin(static_cast<int>(i));
+            label.origin = static_cast<int>(i);
+            label.direction = Label::kStart;
+            improve(starts[i].node, label, growth);
         }
         if (graph_->directions == 8) {
             settle_all<4>(growth, expand);
@@ -89,65 +88,70 @@ class LeastCost {
     }
 
     const Label& operator[](int node) const { return labels_[node]; }
-    // The nodes of the last pass, in order of cost.
+    // The nodes of the last pass; every node comes after those of its path.
     std::span<const int> settled() const { return settled_; }
 
   private:
-    static float bucket_width(const Graph& graph) {
-        const float edge = graph.edge(graph.node(graph.width / 2, graph.height / 2), 0);
-        return edge / 128.0f;  // measured: 64 to 256 do
-    }
-
-    void clear() {
-        for (int node : settled_) labels_[node] = Label{};
-        settled_.clear();
-    }
-
-    void improve(int node, const Label& label) {
-        if (!(label.cost < labels_[node].cost)) return;
-        labels_[node] = label;
-        queue_.push(label.cost, node);
+    template <class Growth>
+    void improve(int node, const Label& label, const Growth& growth) {
+        Label& known = labels_[node];
+        if (!(label.cost <= known.cost)) return;
+        if (label.cost == known.cost) {
+            if (label.origin < known.origin ||
+                (label.origin == known.origin && label.direction < known.direction)) {
+                known = label;
+            }
+            return;
+        }
+        known = label;
+        queue_.push(growth.key(label.cost), label.cost, node);
     }
 
     template <int kHalf, class Growth, class Expand>
     void settle_all(const Growth& growth, const Expand& expand) {
+        using Entry = BucketQueue::Entry;
         const float* const weights = graph_->weights.data();
-        float cost = 0.0f;
-        int node = 0;
-        const auto alive = [labels = labels_.data()](float cost_then, int at) {
-            return labels[at].cost == cost_then;
-        };
-        while (queue_.pop(cost, node, alive)) {
+        const auto row = [](int node) { return static_cast<std::size_t>(node) * kHalf; };
+        queue_.drain([&](Entry entry, Entry upcoming) {
+            __builtin_prefetch(&labels_[upcoming.node]);
+            __builtin_prefetch(weights + row(upcoming.node));
+            const int node = entry.node;
             const Label label = labels_[node];
-            if (label.cost != cost) continue;  // an older, higher label of a settled node
+            if (label.cost != entry.cost) return;  // overtaken
             settled_.push_back(node);
-            if (!expand(node, cost)) continue;
+            if (!expand(node, label.cost)) return;
 
-            const auto cost_at = growth.from(label.origin);
-            const auto relax = [&](int neighbour, float weight) {
-                const float length = label.length + weight;
-                improve(neighbour, {cost_at(length), length, label.origin, node});
+            const auto grow = growth.from(node, label);
+            const auto relax = [&](int direction, int neighbour, float weight) {
+                // No edge costs nothing.
+                if (!(labels_[neighbour].cost > label.cost)) return;
+                Label there = grow(direction, neighbour, weight);
+                there.origin = label.origin;
+                there.direction = static_cast<std::uint8_t>(direction);
+                improve(neighbour, there, growth);
             };
-            const float* const forward = weights + static_cast<std::size_t>(node) * kHalf;
             for (int d = 0; d < kHalf; ++d) {
                 const int step = graph_->step[d];
-                relax(node + step, forward[d]);
-                relax(node - step,
-                      weights[static_cast<std::size_t>(node - step) * kHalf + d]);
+                relax(d, node + step, weights[row(node) + d]);
+                relax(d + kHalf, node - step, weights[row(node - step) + d]);
             }
-        }
+        });
     }
 
     const Graph* graph_;
+    float least_edge_;
     std::vector<Label> labels_;
     std::vector<int> settled_;
     BucketQueue queue_;
 };
 
 // The nodes of the least-cost path that ends at `node`, back to its start.
-inline std::vector<int> path_back(const LeastCost& paths, int node) {
-    std::vector<int> nodes;
-    for (; node >= 0; node = paths[node].from) nodes.push_back(node);
+inline std::vector<int> path_back(const Graph& graph, const LeastCost& paths, int node) {
+    std::vector<int> nodes{node};
+    while (paths[node].direction != Label::kStart) {
+        node -= graph.step[paths[node].direction];
+        nodes.push_back(node);
+    }
     return nodes;
 }
 

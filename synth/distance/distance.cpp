@@ -12,6 +12,7 @@
 #include "synth/distance/blend.h"
 #include "synth/distance/features.h"
 #include "synth/distance/graph.h"
+#include "synth/distance/map.h"
 #include "synth/distance/profile.h"
 
 namespace cydonia::distance {
@@ -75,9 +76,69 @@ Features above_sea(const Features& features, double sea_level) {
     return kept;
 }
 
-BlendOptions blend_of(const Options& options, double sea_level, double width) {
-    return {sea_level, options.blending_bias, options.sea_level_threshold.in(width),
-            options.approximate_threshold, options.mean_edge_weight};
+// Raw edge weights as a profile, for features without one among others.
+Descent straight_descent(const Options& options, double sea_level, double width) {
+    Profile straight;
+    straight.curve.points = {{0.0, 1.0}, {1.0, 0.0}};
+    straight.reach = metres(sea_level / options.mean_edge_weight);
+    return descent_of(straight, sea_level, options.mean_edge_weight,
+                      options.minimum_scale, width);
+}
+
+// Step 4, and which profile each start and each region has.
+Shapes shapes_of(const Options& options, const Features& features, const Regions& regions,
+                 double sea_level, double width) {
+    Shapes shapes{sea_level, options.mean_edge_weight, {}, {}, {}, {}, {}, {}};
+    const bool shaped = !regions.profile_at.empty() ||
+                        std::ranges::any_of(features.features,
+                                            [](const auto& f) { return f.profile >= 0; });
+    if (!shaped) return shapes;
+
+    shapes.descents = descents_of(options, sea_level, width);
+    const auto raw = static_cast<std::uint8_t>(shapes.descents.size());
+    shapes.descents.push_back(straight_descent(options, sea_level, width));
+    const auto way = [&](int profile) {
+        return profile < 0 ? raw : static_cast<std::uint8_t>(profile);
+    };
+    const bool sides = std::ranges::any_of(
+        features.features, [](const auto& f) { return f.other_side >= 0; });
+    for (int f = 0; f < features.count(); ++f) {
+        const Features::Feature& feature = features.features[f];
+        const std::size_t starts = features.of(f).size();
+        const int other = feature.other_side < 0 ? feature.profile : feature.other_side;
+        shapes.ways.insert(shapes.ways.end(), starts, way(feature.profile));
+        if (sides) shapes.other_ways.insert(shapes.other_ways.end(), starts, way(other));
+    }
+    if (sides) shapes.sides = features.sides;
+    shapes.way_at = regions.profile_at;
+    for (const Region& region : options.regions) {
+        const auto at =
+            std::ranges::find(options.profiles, region.profile, &Profile::name);
+        if (at == options.profiles.end()) continue;
+        shapes.region_ways.push_back(
+            static_cast<std::uint8_t>(at - options.profiles.begin()));
+    }
+    return shapes;
+}
+
+BlendOptions blend_of(const Options& options, const Terrain& terrain) {
+    BlendOptions blend{options.blending_bias,
+                       {},
+                       options.sea_level_threshold.in(terrain.width()),
+                       options.approximate_threshold};
+    if (options.blending_bias_map) {
+        blend.bias_map = map_values(*options.blending_bias_map, terrain.heights.width(),
+                                    terrain.heights.height());
+    }
+    return blend;
+}
+
+void lay_over(Field<float>& land, const Field<float>& heights, const Options& options) {
+    const auto scale = static_cast<float>(options.vertical_scale);
+    for (std::size_t i = 0; i < land.size(); ++i) {
+        const float before = options.combine == Options::Combine::kAdd ? land[i] : 0.0f;
+        land[i] = before + scale * heights[i];
+    }
 }
 
 }  // namespace
@@ -99,13 +160,17 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         progress.warn("distance: every generator lies at sea level, so no land rises");
         return result;
     }
-    const std::vector<Descent> descents = descents_of(options, sea_level, width);
+    const Regions regions = regions_of(options, graph, features);
+    const Shapes shapes = shapes_of(options, features, regions, sea_level, width);
+    const Ground ground{graph, features, shapes, regions};
+    const BlendOptions blend = blend_of(options, terrain);
 
     progress.step("distance: features");
-    const Field<float> heights =
-        blended_heights(graph, features, descents.empty() ? nullptr : &descents.front(),
-                        blend_of(options, sea_level, width), progress);
-    for (std::size_t i = 0; i < heights.size(); ++i) result.heights[i] += heights[i];
+    const std::vector<float> approximate = approximate_costs(ground, blend);
+    lay_over(result.heights,
+             options.preview ? approximate_heights(ground, approximate)
+                             : blended_heights(ground, blend, approximate, progress),
+             options);
     return result;
 }
 

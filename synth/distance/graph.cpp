@@ -9,13 +9,12 @@
 #include "field/error.h"
 #include "field/parallel.h"
 #include "field/random.h"
+#include "synth/distance/map.h"
 
 namespace cydonia::distance {
 namespace {
 
-struct Step {
-    int x, y;
-};
+using Step = Graph::Offset;
 // East first, clockwise; the knight's moves of the 16-neighbourhood after.
 constexpr std::array<Step, 8> kForward{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {2, 1}, {1, 2}, {-1, 2}, {-2, 1}}};
@@ -113,6 +112,12 @@ void check(const EdgeOptions& options) {
             "mean_edge_weight ({})",
             options.deviation, options.mean);
     }
+    if (options.weights && !(std::ranges::min(options.weights->range) > 0.0)) {
+        throw bad_request(
+            "edge_weights range is {} to {}: both must be above 0, or paths would be "
+            "free",
+            options.weights->range[0], options.weights->range[1]);
+    }
     if (!(options.grain > 0.0)) {
         throw bad_request("grain is {} m: it must be above 0", options.grain);
     }
@@ -136,6 +141,8 @@ Graph empty_graph(int width, int height, double spacing, const EdgeOptions& opti
     for (int d = 0; d < half; ++d) {
         graph.step[d] = kForward[d].y * graph.stride + kForward[d].x;
         graph.step[d + half] = -graph.step[d];
+        graph.offset[d] = kForward[d];
+        graph.offset[d + half] = {-kForward[d].x, -kForward[d].y};
     }
     graph.weights.resize(static_cast<std::size_t>(graph.nodes()) * half);
     return graph;
@@ -177,48 +184,127 @@ struct Samples {
     }
 };
 
+// What the ends of an edge share: a map's value half way.
+class MapValues {
+  public:
+    MapValues(const std::optional<Map>& map, double otherwise, const Graph& graph)
+        : otherwise_(static_cast<float>(otherwise)) {
+        if (map) values_ = map_values(*map, graph.width, graph.height);
+    }
+    float between(int x, int y, Step step) const {
+        if (values_.empty()) return otherwise_;
+        const int x1 = std::clamp(x + step.x, 0, values_.width() - 1);
+        const int y1 = std::clamp(y + step.y, 0, values_.height() - 1);
+        return 0.5f * (values_(x, y) + values_(x1, y1));
+    }
+
+  private:
+    float otherwise_;
+    Field<float> values_;
+};
+
+// Metres that each direction's edge is counted as.
+std::array<float, 8> lengths_of(const Graph& graph, const EdgeOptions& options) {
+    std::array<float, 8> lengths{};
+    for (int d = 0; d < graph.directions / 2; ++d) {
+        const double cells = std::hypot(kForward[d].x, kForward[d].y);
+        lengths[d] = static_cast<float>(
+            graph.spacing * (options.metric == Options::Metric::kThesis ? 1.0 : cells));
+    }
+    return lengths;
+}
+
+// An edge a billion times lighter than others would cost the queue that many buckets.
+constexpr float kLightest = 1e-3f;  // of the mean
+
+// Calls weight(x, y, d) for every edge, by bands of rows; `band` is made once a band.
+template <class Band>
+void weigh_edges(Graph& graph, const Band& band) {
+    const int half = graph.directions / 2;
+    parallel_for((graph.height + kBandRows - 1) / kBandRows, [&](int index) {
+        const int first = index * kBandRows;
+        const int rows = std::min(kBandRows, graph.height - first);
+        const auto weight = band(first, rows);
+        for (int row = 0; row < rows; ++row) {
+            for (int x = 0; x < graph.width; ++x) {
+                float* weights =
+                    &graph.weights[static_cast<std::size_t>(graph.node(x, first + row)) *
+                                   half];
+                for (int d = 0; d < half; ++d) weights[d] = weight(x, row, d);
+            }
+        }
+    });
+}
+
+// Section 4.3.2. An edge has the mean of its ends, not the value of the one it leaves: it
+// costs the same both ways.
+void weigh_by_picture(Graph& graph, const EdgeOptions& options) {
+    const MapValues values(options.weights, 0.0, graph);
+    const std::array<float, 8> lengths = lengths_of(graph, options);
+    weigh_edges(graph, [&](int first, int) {
+        return [&, first](int x, int row, int d) {
+            return lengths[d] * values.between(x, first + row, kForward[d]);
+        };
+    });
+}
+
+void weigh_at_random(Graph& graph, const EdgeOptions& options, std::uint64_t seed) {
+    const int fineness = static_cast<int>(std::clamp(
+        std::ceil(4.0 * graph.spacing / options.grain), 1.0, 1.0 * kMaxSubdivision));
+    const std::array<float, 8> lengths = lengths_of(graph, options);
+    const MapValues means(options.mean_map, options.mean, graph);
+    const MapValues deviations(options.deviation_map, options.deviation, graph);
+    weigh_edges(graph, [&](int first, int rows) {
+        return [&, first, noise = Samples(graph, first, rows, fineness, options, seed)](
+                   int x, int row, int d) {
+            const float mean = means.between(x, first + row, kForward[d]);
+            const float deviation = deviations.between(x, first + row, kForward[d]);
+            // Rusnell 2009, eq. 3.3
+            const float weight = mean + deviation * noise.mean(x, row, kForward[d]);
+            return lengths[d] * std::max(weight, kLightest * mean);
+        };
+    });
+}
+
 }  // namespace
 
 EdgeOptions edges_of(const Options& options, double width) {
-    return {options.mean_edge_weight, options.edge_weight_deviation,
-            options.grain.in(width), options.metric, options.neighbours};
+    return {options.mean_edge_weight,     options.edge_weight_deviation,
+            options.grain.in(width),      options.metric,
+            options.neighbours,           3,
+            options.mean_edge_weight_map, options.edge_weight_deviation_map,
+            options.edge_weights};
 }
 
 Graph graph_of(int width, int height, double spacing, const EdgeOptions& options,
                std::uint64_t seed) {
     check(options);
     Graph graph = empty_graph(width, height, spacing, options);
-    const int half = graph.directions / 2;
-    const std::uint64_t noise_seed = hash_of({seed, key("edge weight")});
-    const int fineness = static_cast<int>(
-        std::clamp(std::ceil(4.0 * spacing / options.grain), 1.0, 1.0 * kMaxSubdivision));
-    std::array<float, 8> length{};
-    for (int d = 0; d < half; ++d) {
-        const double cells = std::hypot(kForward[d].x, kForward[d].y);
-        length[d] = static_cast<float>(
-            spacing * (options.metric == Options::Metric::kThesis ? 1.0 : cells));
+    if (options.weights) {
+        weigh_by_picture(graph, options);
+    } else {
+        weigh_at_random(graph, options, hash_of({seed, key("edge weight")}));
     }
-    const auto mean = static_cast<float>(options.mean);
-    const auto deviation = static_cast<float>(options.deviation);
+    return graph;
+}
 
-    parallel_for((height + kBandRows - 1) / kBandRows, [&](int band) {
-        const int first = band * kBandRows;
-        const int rows = std::min(kBandRows, height - first);
-        const Samples noise(graph, first, rows, fineness, options, noise_seed);
-        for (int row = 0; row < rows; ++row) {
-            for (int x = 0; x < width; ++x) {
-                float* weights =
-                    &graph.weights[static_cast<std::size_t>(graph.node(x, first + row)) *
-                                   half];
-                for (int d = 0; d < half; ++d) {
-                    // Rusnell 2009, eq. 3.3
-                    weights[d] =
-                        length[d] * (mean + deviation * noise.mean(x, row, kForward[d]));
-                }
+float least_edge(const Graph& graph) {
+    const int half = graph.directions / 2;
+    float least = std::numeric_limits<float>::infinity();
+    for (int y = 0; y < graph.height; ++y) {
+        for (int d = 0; d < half; ++d) {
+            const Step step = kForward[d];
+            if (y + step.y >= graph.height) continue;
+            const int first = std::max(0, -step.x);
+            const int last = graph.width - std::max(0, step.x);
+            for (int x = first; x < last; ++x) {
+                least = std::min(
+                    least,
+                    graph.weights[static_cast<std::size_t>(graph.node(x, y)) * half + d]);
             }
         }
-    });
-    return graph;
+    }
+    return std::isfinite(least) ? least : 1.0f;
 }
 
 Graph layout_graph(const Graph& graph, const EdgeOptions& options, std::uint64_t seed) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "synth/distance/options.h"
@@ -17,6 +18,8 @@ struct EdgeOptions {
     Options::Metric metric = Options::Metric::kEuclidean;
     int neighbours = 8;  // 8, or 16 (kEuclidean only)
     int octaves = 3;     // of the random part, each twice as long as the one before
+    // What varies over the land; `weights` stands for all of eq. 3.3 (section 4.3.2).
+    std::optional<Map> mean_map{}, deviation_map{}, weights{};
 };
 
 // Of a terrain `width` metres wide.
@@ -34,6 +37,10 @@ struct Graph {
     // From a node to its neighbour in each direction; direction d + directions / 2 is
     // opposite to d.
     std::array<int, 16> step{};
+    struct Offset {
+        int x = 0, y = 0;  // cells east and south
+    };
+    std::array<Offset, 16> offset{};
     // Metres of cost of each edge, stored at its northern (or western) node: directions /
     // 2 a node.
     std::vector<float> weights;
@@ -52,6 +59,9 @@ struct Graph {
         return weights[static_cast<std::size_t>(node) * half + direction];
     }
 };
+
+// The least edge weight between two nodes; 1 where there is only one.
+float least_edge(const Graph& graph);
 
 // Edge weights by eq. 3.3, w = mean + deviation * v, times the edge's length. v is
 // uniform in [-1, 1], a band-limited function of position in metres averaged along the

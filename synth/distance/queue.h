@@ -4,119 +4,110 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace cydonia::distance {
 
-// A monotone priority queue of (cost, node), least first, equal costs by node: exact for
-// any edge weights. Costs lie in a ring of narrow buckets; only the bucket in use is kept
-// in order, a few entries long. What lies beyond the ring waits apart.
+// A monotone priority queue of (cost, node) by buckets of a key (Dial 1969; Denardo and
+// Fox 1979): what lies in one bucket comes in the order in which it was put there. Exact
+// for Dijkstra's algorithm when no edge is shorter than a bucket is wide, for then
+// nothing in a bucket can improve anything else in it. The buckets in use form a ring,
+// small enough to stay in the processor's cache; what lies beyond the ring waits in a
+// heap.
 class BucketQueue {
   public:
-    // A good width leaves a few entries to a bucket; any width gives the same order.
-    explicit BucketQueue(float bucket_width)
-        : per_cost_(1.0f / bucket_width), buckets_(kBuckets) {}
+    struct Entry {
+        float cost;
+        int node;
+    };
 
-    // cost >= 0 and not below the last one popped.
-    void push(float cost, int node) {
-        const float place = (cost - base_) * per_cost_;
-        if (!(place < static_cast<float>(kBuckets))) {
-            beyond_.push_back(key(cost, node));
-            return;
-        }
-        const int bucket = static_cast<int>(place);
-        if (bucket > current_) {
-            buckets_[bucket].push_back(key(cost, node));
-            occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
+    // An empty queue, whose buckets are `width` wide from key 0 on.
+    void reset(float width) { per_key_ = 1.0f / width; }
+
+    void push(float key, float cost, int node) {
+        // Rounding must not put an edge's end into the bucket of its beginning.
+        const auto bucket = std::max(static_cast<std::int64_t>(key * per_key_), next_);
+        if (bucket - next_ < kReach) {
+            put(bucket, {cost, node});
         } else {
-            late_.push_back(key(cost, node));
-            std::push_heap(late_.begin(), late_.end(), std::greater<>());
+            beyond_.push_back({bucket, {cost, node}});
+            std::push_heap(beyond_.begin(), beyond_.end());
         }
     }
 
-    // The least entry, false when none is left. Entries for which alive(cost, node) is
-    // false may be dropped on the way: most of those that a lower label has overtaken are
-    // never sorted, which halves a pass' time.
-    template <class Alive>
-    bool pop(float& cost, int& node, const Alive& alive) {
-        while (sorted_.empty() && late_.empty()) {
-            if (!refill(alive)) return false;
+    // Calls visit(entry, upcoming) for every entry, bucket by bucket, also for those
+    // pushed meanwhile; `upcoming` comes a few entries later, or again. Leaves the queue
+    // empty.
+    template <class Visit>
+    void drain(const Visit& visit) {
+        next_ = 0;
+        for (std::int64_t bucket = first(); bucket >= 0; bucket = first()) {
+            next_ = bucket + 1;
+            fetch_from_beyond();
+            const std::vector<Entry>& entries = ring_[slot(bucket)];
+            const std::size_t last = entries.size() - 1;
+            for (std::size_t i = 0; i <= last; ++i) {
+                visit(entries[i], entries[std::min(i + kAhead, last)]);
+            }
+            ring_[slot(bucket)].clear();
         }
-        std::uint64_t least = 0;
-        if (late_.empty() || (!sorted_.empty() && sorted_.back() < late_.front())) {
-            least = sorted_.back();
-            sorted_.pop_back();
-        } else {
-            std::pop_heap(late_.begin(), late_.end(), std::greater<>());
-            least = late_.back();
-            late_.pop_back();
-        }
-        cost = cost_of(least);
-        node = node_of(least);
-        return true;
+        next_ = 0;
     }
 
   private:
-    static constexpr int kBuckets = 4096;
+    static constexpr std::int64_t kRing = 1024;        // a power of two
+    static constexpr std::int64_t kReach = kRing - 1;  // the bucket being drained stays
+    static constexpr std::size_t kAhead = 6;
 
-    // Costs are not negative, so their bits order as they do.
-    static std::uint64_t key(float cost, int node) {
-        return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32 |
-               static_cast<std::uint32_t>(node);
+    struct Late {
+        std::int64_t bucket;
+        Entry entry;
+        bool operator<(const Late& other) const { return bucket > other.bucket; }
+    };
+
+    static std::size_t slot(std::int64_t bucket) {
+        return static_cast<std::size_t>(bucket) % kRing;
     }
-    static float cost_of(std::uint64_t key) {
-        return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
+
+    void put(std::int64_t bucket, Entry entry) {
+        ring_[slot(bucket)].push_back(entry);
+        occupied_[slot(bucket) / 64] |= std::uint64_t{1} << (slot(bucket) % 64);
     }
 
-    static int node_of(std::uint64_t key) { return static_cast<int>(key & 0xffffffffu); }
-
-    // Puts the next bucket in order. An empty queue is ready for another pass.
-    template <class Alive>
-    bool refill(const Alive& alive) {
-        int bucket = next_occupied();
-        if (bucket < 0) {
-            current_ = -1;
-            base_ = 0.0f;
-            if (beyond_.empty()) return false;
-            lay_ring_from_beyond();
-            bucket = next_occupied();
+    // The first bucket from next_ on that has entries, taken off the list of such; -1
+    // when none is left.
+    std::int64_t first() {
+        const std::size_t from = slot(next_);
+        for (std::size_t i = 0; i <= kRing / 64; ++i) {
+            std::uint64_t& word = occupied_[(from / 64 + i) % (kRing / 64)];
+            std::uint64_t here = word;
+            if (i == 0) here &= ~std::uint64_t{0} << (from % 64);
+            if (i == kRing / 64) here &= ~(~std::uint64_t{0} << (from % 64));
+            if (here == 0) continue;
+            const auto bit = static_cast<std::size_t>(std::countr_zero(here));
+            word &= ~(std::uint64_t{1} << bit);
+            const std::size_t found = (from / 64 + i) % (kRing / 64) * 64 + bit;
+            return next_ + static_cast<std::int64_t>((found - from) % kRing);
         }
-        current_ = bucket;
-        occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
-        sorted_.swap(buckets_[bucket]);
-        std::size_t kept = 0;
-        for (std::uint64_t k : sorted_) {
-            sorted_[kept] = k;
-            kept += alive(cost_of(k), node_of(k)) ? 1 : 0;
+        if (beyond_.empty()) return -1;
+        next_ = beyond_.front().bucket;
+        fetch_from_beyond();
+        return first();
+    }
+
+    void fetch_from_beyond() {
+        while (!beyond_.empty() && beyond_.front().bucket - next_ < kReach) {
+            std::pop_heap(beyond_.begin(), beyond_.end());
+            put(beyond_.back().bucket, beyond_.back().entry);
+            beyond_.pop_back();
         }
-        sorted_.resize(kept);
-        std::sort(sorted_.begin(), sorted_.end(), std::greater<>());
-        return true;
     }
 
-    int next_occupied() const {
-        for (int word = std::max(current_, 0) / 64; word < kBuckets / 64; ++word) {
-            if (occupied_[word]) return word * 64 + std::countr_zero(occupied_[word]);
-        }
-        return -1;
-    }
-
-    void lay_ring_from_beyond() {
-        base_ = cost_of(*std::min_element(beyond_.begin(), beyond_.end()));
-        std::vector<std::uint64_t> waiting;
-        waiting.swap(beyond_);
-        for (std::uint64_t k : waiting) push(cost_of(k), node_of(k));
-    }
-
-    float per_cost_;
-    float base_ = 0.0f;  // cost where bucket 0 begins
-    int current_ = -1;   // the bucket in order
-    std::vector<std::vector<std::uint64_t>> buckets_;
-    std::array<std::uint64_t, kBuckets / 64> occupied_{};
-    std::vector<std::uint64_t> sorted_;  // the bucket in use, least last
-    std::vector<std::uint64_t> late_;    // a heap of what came into it since
-    std::vector<std::uint64_t> beyond_;
+    float per_key_ = 1.0f;
+    std::int64_t next_ = 0;  // the first bucket that may still be put to
+    std::array<std::vector<Entry>, kRing> ring_;
+    std::array<std::uint64_t, kRing / 64> occupied_{};
+    std::vector<Late> beyond_;  // a heap, the first bucket on top
 };
 
 }  // namespace cydonia::distance

@@ -6,7 +6,7 @@
 
 #include "field/noise.h"
 #include "field/random.h"
-#include "synth/distance/dijkstra.h"
+#include "synth/distance/growth.h"
 #include "synth/pareidolia/shadow_plan.h"
 
 namespace cydonia::pareidolia {
@@ -87,7 +87,7 @@ Field<float> secondary_features(const Options& options, const distance::Graph& l
         const auto end = vacant_place(band, purpose);
         if (!end) continue;
         Place from = place_of(layout, node_at(layout, *end));
-        for (int node : path_back(paths, node_at(layout, *end))) {
+        for (int node : path_back(layout, paths, node_at(layout, *end))) {
             const Place to = place_of(layout, node);
             for (int step = 0; step < steps; ++step) {
                 const double t = (step + 1.0) / steps;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "synth/distance/dijkstra.h"
+#include "synth/distance/growth.h"
 
 namespace cydonia::pareidolia {
 namespace {

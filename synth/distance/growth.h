@@ -1,0 +1,173 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "field/field.h"
+#include "synth/distance/dijkstra.h"
+#include "synth/distance/profile.h"
+
+namespace cydonia::distance {
+
+// Raw edge weights: no profile.
+struct RawGrowth {
+    std::span<const Start> starts;
+
+    Label begin(int origin) const { return {.cost = starts[origin].cost}; }
+    auto from(int /*node*/, const Label& label) const {
+        return [cost = starts[label.origin].cost, length = label.length](int, int,
+                                                                         float weight) {
+            return Label{.cost = cost + (length + weight), .length = length + weight};
+        };
+    }
+    float key(float cost) const { return cost; }
+    float least_step(float edge) const { return edge; }
+};
+
+// A constant profile for each start: every edge of a path times its origin's factor.
+struct ConstantGrowth {
+    std::span<const Start> starts;
+    std::span<const float> factors;  // as many as starts, each > 0
+
+    Label begin(int origin) const { return {.cost = starts[origin].cost}; }
+    auto from(int /*node*/, const Label& label) const {
+        return [cost = starts[label.origin].cost, factor = factors[label.origin],
+                length = label.length](int, int, float weight) {
+            const float there = length + weight;
+            return Label{.cost = cost + factor * there, .length = there};
+        };
+    }
+    float key(float cost) const { return cost; }
+    float least_step(float edge) const {
+        return factors.empty() ? edge : edge * *std::ranges::min_element(factors);
+    }
+};
+
+// The profiles of a stage and where each holds, ready for its passes.
+struct Shapes {
+    static constexpr std::uint8_t kOwn = 255;
+
+    double sea_level = 0.0;          // c_s
+    double mean_edge_weight = 1.0;   // mu_w
+    std::vector<Descent> descents;   // by way; none: raw edge weights
+    std::vector<std::uint8_t> ways;  // the descent of each start
+    // With two sides: the descent beyond each stroke, and the starts' unit vectors into
+    // the first side.
+    std::vector<std::uint8_t> other_ways;
+    std::vector<std::array<float, 2>> sides;
+    // With regions: the descent that holds at each node; kOwn: the feature's.
+    std::vector<std::uint8_t> way_at;
+    std::vector<std::uint8_t> region_ways;  // all that way_at has, but kOwn
+
+    bool raw() const { return descents.empty(); }
+    bool plain() const { return other_ways.empty() && way_at.empty(); }
+};
+
+// A key that rises evenly where cost rises unevenly: along every path by at least as much
+// as the path is long, whatever profile it follows, since its slope over cost is one by
+// the least slope that any path of these starts can have there.
+class EvenKey {
+  public:
+    // `first`: the index of the first of `starts` in `shapes`.
+    EvenKey(const Shapes& shapes, std::span<const Start> starts, int first);
+
+    float operator()(float cost) const {
+        const float place = (cost - first_) * per_cost_;
+        if (!(place < kBins)) return keys_[kBins] + beyond_ * (place - kBins);
+        const int bin = static_cast<int>(place);
+        const float t = place - static_cast<float>(bin);
+        return keys_[bin] + t * (keys_[bin + 1] - keys_[bin]);
+    }
+
+  private:
+    static constexpr int kBins = 256;
+    float first_ = 0.0f;  // the least cost of a start
+    float per_cost_ = 0.0f;
+    float beyond_ = 0.0f;  // a bin past sea level
+    std::array<float, kBins + 1> keys_{};
+};
+
+// Along profiles: eq. 3.4 to 3.6 integrated along the path. By eq. 3.6 every generator
+// shows the whole profile, smaller where it starts lower: the same slopes over a shorter
+// way. `length` is of the raw edge weights, of which mean_edge_weight make a metre.
+class ProfileGrowth {
+  public:
+    // `starts`, all below sea level cost, have their ways in `shapes` from index `first`
+    // on; both outlive this.
+    ProfileGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
+
+    Label begin(int origin) const { return {.cost = starts_[origin].cost}; }
+    auto from(int /*node*/, const Label& label) const {
+        const float cost = starts_[label.origin].cost, share = share_of(cost);
+        return [descent = &descents_[ways_[label.origin]], cost, share,
+                rate = metres_ / share, length = label.length](int, int, float weight) {
+            const float there = length + weight;
+            return Label{.cost = cost + share * (*descent)(rate * there),
+                         .length = there};
+        };
+    }
+    float key(float cost) const { return key_(cost); }
+    float least_step(float edge) const { return metres_ * edge; }
+
+  protected:
+    float share_of(float cost) const { return (sea_level_ - cost) * per_sea_level_; }
+
+    const Descent* descents_;
+    const std::uint8_t* ways_;
+    std::span<const Start> starts_;
+    float metres_;                     // of ground for one of path length: 1 / mu_w
+    float sea_level_, per_sea_level_;  // c_s and 1 / c_s
+    EvenKey key_;
+};
+
+// The same where the profile changes on the way: by the side of the stroke on which a
+// path begins, and by the region that it enters, where it goes on at the height at which
+// it comes in.
+class ChangingGrowth : public ProfileGrowth {
+  public:
+    ChangingGrowth(const Graph& graph, const Shapes& shapes,
+                   std::span<const Start> starts, int first);
+
+    Label begin(int origin) const {
+        return {.cost = starts_[origin].cost, .way = ways_[origin]};
+    }
+    auto from(int /*node*/, const Label& label) const {
+        return [this, label, cost = starts_[label.origin].cost,
+                share = share_of(starts_[label.origin].cost)](
+                   int direction, int neighbour, float weight) {
+            Label there = label;
+            if (label.direction == Label::kStart) {
+                there.side = side_of(label.origin, direction);
+            }
+            there.way = way_at(neighbour, label.origin, there.side);
+            const float rate = metres_ / share;
+            if (there.way != label.way) {
+                const float down = (label.cost - cost) / share;
+                there.length = descents_[there.way].distance_at(down) / rate;
+            }
+            there.length += weight;
+            there.cost =
+                std::max(std::nextafter(label.cost, kUnreached),
+                         cost + share * descents_[there.way](rate * there.length));
+            return there;
+        };
+    }
+
+  private:
+    std::uint8_t side_of(int origin, int direction) const;
+    std::uint8_t way_at(int node, int origin, std::uint8_t side) const {
+        if (!way_at_.empty() && way_at_[node] != Shapes::kOwn) return way_at_[node];
+        return side == 0 ? ways_[origin] : other_ways_[origin];
+    }
+
+    const std::uint8_t* other_ways_;  // null without sides
+    const std::array<float, 2>* sides_;
+    std::span<const std::uint8_t> way_at_;
+    const Graph* graph_;
+};
+
+}  // namespace cydonia::distance

@@ -1,0 +1,153 @@
+// B. Rusnell, "Distance-based terrain synthesis" (2009), sections 4.2.1 and 4.2.5.
+
+#include "synth/distance/regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/error.h"
+#include "field/strokes.h"
+
+namespace cydonia::distance {
+namespace {
+
+// 1 where drawn: grey, so that soft edges stay soft.
+Field<float> drawn(const Source& image, const Graph& graph) {
+    Field<float> mask = read_grey_at(image, graph.width, graph.height);
+    for (float& value : mask) value = 1.0f - value;
+    return mask;
+}
+
+// Distance in cells from outside, up to `most`: two sweeps (Rosenfeld and Pfaltz 1968).
+Field<float> depth_inside(const Field<float>& mask, float most) {
+    Field<float> depth(mask.width(), mask.height());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        depth[i] = mask[i] >= 0.5f ? most : 0.0f;
+    const auto lower = [&](int x, int y, int dx, int dy, float length) {
+        if (!depth.contains(x + dx, y + dy)) return;
+        depth(x, y) = std::min(depth(x, y), depth(x + dx, y + dy) + length);
+    };
+    constexpr float kDiagonal = 1.41421356f;
+    for (int y = 0; y < depth.height(); ++y) {
+        for (int x = 0; x < depth.width(); ++x) {
+            lower(x, y, -1, 0, 1.0f);
+            lower(x, y, -1, -1, kDiagonal);
+            lower(x, y, 0, -1, 1.0f);
+            lower(x, y, 1, -1, kDiagonal);
+        }
+    }
+    for (int y = depth.height() - 1; y >= 0; --y) {
+        for (int x = depth.width() - 1; x >= 0; --x) {
+            lower(x, y, 1, 0, 1.0f);
+            lower(x, y, 1, 1, kDiagonal);
+            lower(x, y, 0, 1, 1.0f);
+            lower(x, y, -1, 1, kDiagonal);
+        }
+    }
+    return depth;
+}
+
+Field<float> mask_of(const Region& region, const Options& options, const Graph& graph,
+                     const Features& features) {
+    if (region.image) return drawn(*region.image, graph);
+    const auto group = std::ranges::find(options.groups, region.inside, &Group::name);
+    const Field<std::uint8_t> inside =
+        enclosed(graph, features, static_cast<int>(group - options.groups.begin()));
+    Field<float> mask(graph.width, graph.height);
+    std::ranges::copy(inside, mask.begin());
+    if (std::ranges::count(inside, 1) == 0) {
+        throw bad_request(
+            "region: the strokes of group '{}' enclose nothing; close them, or draw the "
+            "region as an image",
+            region.inside);
+    }
+    return mask;
+}
+
+std::uint64_t groups_named(const std::vector<std::string>& names,
+                           const Options& options) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < options.groups.size(); ++i) {
+        if (std::ranges::find(names, options.groups[i].name) != names.end()) {
+            bits |= std::uint64_t{1} << i;
+        }
+    }
+    return bits;
+}
+
+void close_to_others(Regions& regions, const Region& region, const Field<float>& mask,
+                     std::uint8_t index, const Graph& graph) {
+    const double width = graph.width * graph.spacing;
+    const auto feather =
+        static_cast<float>(std::max(region.feather.in(width) / graph.spacing, 1.0));
+    const Field<float> depth = depth_inside(mask, feather);
+    for (int y = 0; y < graph.height; ++y) {
+        for (int x = 0; x < graph.width; ++x) {
+            if (mask(x, y) < 0.5f) continue;
+            const int node = graph.node(x, y);
+            regions.closed_by[node] = index;
+            regions.closed[node] = std::min(1.0f, depth(x, y) / feather);
+        }
+    }
+}
+
+}  // namespace
+
+Regions regions_of(const Options& options, const Graph& graph, const Features& features) {
+    Regions regions;
+    const auto nodes = static_cast<std::size_t>(graph.nodes());
+    for (std::size_t i = 0; i < options.regions.size(); ++i) {
+        const Region& region = options.regions[i];
+        const Field<float> mask = mask_of(region, options, graph, features);
+        if (!region.profile.empty()) {
+            regions.profile_at.resize(nodes, Regions::kFree);
+            const auto profile =
+                std::ranges::find(options.profiles, region.profile, &Profile::name);
+            for (int y = 0; y < graph.height; ++y) {
+                for (int x = 0; x < graph.width; ++x) {
+                    if (mask(x, y) < 0.5f) continue;
+                    regions.profile_at[graph.node(x, y)] =
+                        static_cast<std::uint8_t>(profile - options.profiles.begin());
+                }
+            }
+        }
+        regions.open_to.push_back(groups_named(region.only, options));
+        if (region.only.empty()) continue;
+        regions.closed_by.resize(nodes);
+        regions.closed.resize(nodes);
+        close_to_others(regions, region, mask, static_cast<std::uint8_t>(i), graph);
+    }
+    return regions;
+}
+
+Field<std::uint8_t> enclosed(const Graph& graph, const Features& features, int group) {
+    // What the outside reaches, edge to edge, without crossing a stroke is not enclosed.
+    constexpr std::uint8_t kStroke = 2;
+    Field<std::uint8_t> inside(graph.width + 2, graph.height + 2, 1);
+    for (int f = 0; f < features.count(); ++f) {
+        if (features.features[f].group != group) continue;
+        for (const Start& start : features.of(f)) {
+            inside(graph.x_of(start.node) + 1, graph.y_of(start.node) + 1) = kStroke;
+        }
+    }
+    std::vector<int> reached{0};
+    inside[0] = 0;
+    while (!reached.empty()) {
+        const int x = reached.back() % inside.width();
+        const int y = reached.back() / inside.width();
+        reached.pop_back();
+        for (const auto& [nx, ny] :
+             {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+            if (!inside.contains(nx, ny) || inside(nx, ny) != 1) continue;
+            inside(nx, ny) = 0;
+            reached.push_back(ny * inside.width() + nx);
+        }
+    }
+    Field<std::uint8_t> result(graph.width, graph.height);
+    for (int y = 0; y < graph.height; ++y)
+        for (int x = 0; x < graph.width; ++x)
+            result(x, y) = inside(x + 1, y + 1) == 1 ? 1 : 0;
+    return result;
+}
+
+}  // namespace cydonia::distance
