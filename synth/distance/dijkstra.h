@@ -32,16 +32,18 @@ struct Label {
 };
 
 // How cost grows along a path, synth/distance/growth.h. A growth has
-//   Label begin(int origin) const                            at a start
-//   auto from(int node, const Label&) const                  a function of (direction,
-//       neighbour, edge's weight): the Label that the path has there, its cost above the
-//       one before; `origin` and `direction` are filled in for it
-//   float key(float cost) const                              rises with cost
-//   float least_step(float edge) const                       what key rises by, at
-//       least, over an edge of weight `edge`
-// Cost is a function of its origin and the length along the path, not a product of
-// factors along it (eq. 3.4): the same to first order in an edge's length, exact at every
-// resolution, and the beginnings of a least-cost path are least-cost paths.
+//   Label begin(int origin) const               at a start
+//   auto from(int node, const Label&) const     a function of (direction, neighbour,
+//       length): the Label that the path has there when it is that long, its cost above
+//       the one before; `origin` and `direction` are filled in for it
+//   float key(float cost) const                 rises with cost
+//   float least_step(float edge) const          what key rises by, at least, over an edge
+//       of weight `edge`
+//   kOneWay                                     true: cost is a function of origin and
+//       length, and does not fall with length
+// Not a product of factors along the path (eq. 3.4): the same to first order in an edge's
+// length, exact at every resolution, and the beginnings of a least-cost path are
+// least-cost paths.
 
 // Every node settled is searched on from.
 struct ExpandAll {
@@ -49,9 +51,9 @@ struct ExpandAll {
 };
 
 // Least-cost paths over a graph, from many starts at once (Dijkstra, label-setting). Of
-// equal costs the path of the lower origin, then direction, holds, so that labels do not
-// depend on the queue. One object serves many passes; each touches only the cells it
-// reaches.
+// equal costs the path of the lower origin holds, then the shorter, then the one of the
+// lower direction, so that labels do not depend on the queue. One object serves many
+// passes; each touches only the cells it reaches.
 class LeastCost {
   public:
     explicit LeastCost(const Graph& graph)
@@ -92,19 +94,22 @@ class LeastCost {
     std::span<const int> settled() const { return settled_; }
 
   private:
+    // Of equal costs.
+    static bool before(const Label& a, const Label& b) {
+        if (a.origin != b.origin) return a.origin < b.origin;
+        if (a.length != b.length) return a.length < b.length;
+        return a.direction < b.direction;
+    }
+
     template <class Growth>
     void improve(int node, const Label& label, const Growth& growth) {
         Label& known = labels_[node];
-        if (!(label.cost <= known.cost)) return;
-        if (label.cost == known.cost) {
-            if (label.origin < known.origin ||
-                (label.origin == known.origin && label.direction < known.direction)) {
-                known = label;
-            }
-            return;
+        if (label.cost < known.cost) {
+            known = label;
+            queue_.push(growth.key(label.cost), label.cost, node);
+        } else if (label.cost == known.cost && before(label, known)) {
+            known = label;  // in the queue already
         }
-        known = label;
-        queue_.push(growth.key(label.cost), label.cost, node);
     }
 
     template <int kHalf, class Growth, class Expand>
@@ -123,9 +128,13 @@ class LeastCost {
 
             const auto grow = growth.from(node, label);
             const auto relax = [&](int direction, int neighbour, float weight) {
-                // No edge costs nothing.
-                if (!(labels_[neighbour].cost > label.cost)) return;
-                Label there = grow(direction, neighbour, weight);
+                const Label& known = labels_[neighbour];
+                if (!(known.cost > label.cost)) return;  // no edge costs nothing
+                const float length = label.length + weight;
+                if constexpr (Growth::kOneWay) {  // spares most of the growing
+                    if (known.origin == label.origin && known.length < length) return;
+                }
+                Label there = grow(direction, neighbour, length);
                 there.origin = label.origin;
                 there.direction = static_cast<std::uint8_t>(direction);
                 improve(neighbour, there, growth);

@@ -17,11 +17,12 @@ namespace cydonia::distance {
 struct RawGrowth {
     std::span<const Start> starts;
 
+    static constexpr bool kOneWay = true;
+
     Label begin(int origin) const { return {.cost = starts[origin].cost}; }
     auto from(int /*node*/, const Label& label) const {
-        return [cost = starts[label.origin].cost, length = label.length](int, int,
-                                                                         float weight) {
-            return Label{.cost = cost + (length + weight), .length = length + weight};
+        return [cost = starts[label.origin].cost](int, int, float length) {
+            return Label{.cost = cost + length, .length = length};
         };
     }
     float key(float cost) const { return cost; }
@@ -33,12 +34,13 @@ struct ConstantGrowth {
     std::span<const Start> starts;
     std::span<const float> factors;  // as many as starts, each > 0
 
+    static constexpr bool kOneWay = true;
+
     Label begin(int origin) const { return {.cost = starts[origin].cost}; }
     auto from(int /*node*/, const Label& label) const {
-        return [cost = starts[label.origin].cost, factor = factors[label.origin],
-                length = label.length](int, int, float weight) {
-            const float there = length + weight;
-            return Label{.cost = cost + factor * there, .length = there};
+        return [cost = starts[label.origin].cost, factor = factors[label.origin]](
+                   int, int, float length) {
+            return Label{.cost = cost + factor * length, .length = length};
         };
     }
     float key(float cost) const { return cost; }
@@ -96,6 +98,8 @@ class EvenKey {
 // way. `length` is of the raw edge weights, of which mean_edge_weight make a metre.
 class ProfileGrowth {
   public:
+    static constexpr bool kOneWay = true;
+
     // `starts`, all below sea level cost, have their ways in `shapes` from index `first`
     // on; both outlive this.
     ProfileGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
@@ -104,10 +108,9 @@ class ProfileGrowth {
     auto from(int /*node*/, const Label& label) const {
         const float cost = starts_[label.origin].cost, share = share_of(cost);
         return [descent = &descents_[ways_[label.origin]], cost, share,
-                rate = metres_ / share, length = label.length](int, int, float weight) {
-            const float there = length + weight;
-            return Label{.cost = cost + share * (*descent)(rate * there),
-                         .length = there};
+                rate = metres_ / share](int, int, float length) {
+            return Label{.cost = cost + share * (*descent)(rate * length),
+                         .length = length};
         };
     }
     float key(float cost) const { return key_(cost); }
@@ -129,6 +132,8 @@ class ProfileGrowth {
 // it comes in.
 class ChangingGrowth : public ProfileGrowth {
   public:
+    static constexpr bool kOneWay = false;
+
     ChangingGrowth(const Graph& graph, const Shapes& shapes,
                    std::span<const Start> starts, int first);
 
@@ -138,18 +143,19 @@ class ChangingGrowth : public ProfileGrowth {
     auto from(int /*node*/, const Label& label) const {
         return [this, label, cost = starts_[label.origin].cost,
                 share = share_of(starts_[label.origin].cost)](
-                   int direction, int neighbour, float weight) {
+                   int direction, int neighbour, float length) {
             Label there = label;
             if (label.direction == Label::kStart) {
                 there.side = side_of(label.origin, direction);
             }
             there.way = way_at(neighbour, label.origin, there.side);
+            there.length = length;
             const float rate = metres_ / share;
             if (there.way != label.way) {
                 const float down = (label.cost - cost) / share;
-                there.length = descents_[there.way].distance_at(down) / rate;
+                there.length +=
+                    descents_[there.way].distance_at(down) / rate - label.length;
             }
-            there.length += weight;
             there.cost =
                 std::max(std::nextafter(label.cost, kUnreached),
                          cost + share * descents_[there.way](rate * there.length));

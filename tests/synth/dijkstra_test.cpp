@@ -9,6 +9,7 @@
 
 #include "field/error.h"
 #include "field/random.h"
+#include "synth/distance/growth.h"
 
 namespace cydonia::distance {
 namespace {
@@ -23,7 +24,8 @@ std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
     for (std::size_t i = 0; i < starts.size(); ++i) {
         Label& label = labels[starts[i].node];
         if (starts[i].cost >= label.cost) continue;
-        label = {starts[i].cost, 0.0f, static_cast<int>(i), -1};
+        label = growth.begin(static_cast<int>(i));
+        label.origin = static_cast<int>(i);
         queue.push({label.cost, starts[i].node});
     }
     std::set<int> settled;
@@ -36,11 +38,16 @@ std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
             const int next = node + graph.step[d];
             const int x = graph.x_of(next), y = graph.y_of(next);
             if (x < 0 || y < 0 || x >= graph.width || y >= graph.height) continue;
-            const float length = tail.length + graph.edge(node, d);
-            const float reached = growth.from(tail.origin)(length);
-            if (reached < labels[next].cost) {
-                labels[next] = {reached, length, tail.origin, node};
-                queue.push({reached, next});
+            Label reached =
+                growth.from(node, tail)(d, next, tail.length + graph.edge(node, d));
+            reached.origin = tail.origin;
+            reached.direction = static_cast<std::uint8_t>(d);
+            const auto rank = [](const Label& l) {
+                return std::tuple(l.cost, l.origin, l.length, l.direction);
+            };
+            if (rank(reached) < rank(labels[next])) {
+                if (reached.cost < labels[next].cost) queue.push({reached.cost, next});
+                labels[next] = reached;
             }
         }
     }
@@ -71,46 +78,54 @@ void expect_same_as_reference(const Graph& graph, std::span<const Start> starts,
             const int node = graph.node(x, y);
             ASSERT_EQ(paths[node].cost, expected[node].cost) << x << ", " << y;
             ASSERT_EQ(paths[node].origin, expected[node].origin) << x << ", " << y;
-            ASSERT_EQ(paths[node].from, expected[node].from) << x << ", " << y;
+            ASSERT_EQ(paths[node].direction, expected[node].direction) << x << ", " << y;
         }
     }
+    EXPECT_EQ(paths.settled().size(),
+              static_cast<std::size_t>(graph.width * graph.height));
 }
 
-TEST(BucketQueue, OrdersByCostThenNodeForAnyWidth) {
-    using Entry = std::pair<float, int>;
-    for (float width : {1e-4f, 1.0f, 1e4f}) {
-        BucketQueue queue(width);
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> expected;
+// `count` profiles' descents from cost 0 to sea level, of very different shapes.
+Shapes some_shapes(const Graph& graph, std::size_t starts, double sea_level) {
+    Shapes shapes;
+    shapes.sea_level = sea_level;
+    shapes.mean_edge_weight = 2.0;
+    Profile cone, mesa, scree;
+    cone.curve.points = {{0, 1}, {40, 0}};
+    mesa.curve.points = {{0, 1}, {10, 0.99}, {11, 0.2}, {30, 0.19}, {32, 0}};
+    scree.curve.points = {{0, 1}, {2, 0.6}, {10, 0.3}, {40, 0.1}, {90, 0}};
+    for (const Profile& profile : {cone, mesa, scree}) {
+        shapes.descents.push_back(
+            descent_of(profile, sea_level, 2.0, 0.001, graph.width * graph.spacing));
+    }
+    for (std::size_t i = 0; i < starts; ++i) {
+        shapes.ways.push_back(static_cast<std::uint8_t>(mix(i) % 3));
+    }
+    return shapes;
+}
+
+TEST(BucketQueue, GivesBucketsInOrderAndEachEntryOnce) {
+    BucketQueue queue;
+    for (float width : {0.25f, 1.0f, 1e3f}) {
+        queue.reset(width);
         std::uint64_t draws = 0;
+        std::multiset<int> waiting;
         const auto push_above = [&](float least) {
-            // Whole tenths, so that costs repeat.
-            const float cost = least + static_cast<float>(mix(++draws) % 300) / 10.0f;
-            const auto node = static_cast<int>(mix(++draws) % 1000);
-            queue.push(cost, node);
-            expected.push({cost, node});
+            const float cost = least + width + static_cast<float>(mix(++draws) % 300);
+            const auto node = static_cast<int>(draws);
+            queue.push(cost, cost, node);
+            waiting.insert(node);
         };
         for (int i = 0; i < 200; ++i) push_above(0.0f);
-        float cost = 0.0f;
-        int node = 0;
-        while (queue.pop(cost, node, [](float, int) { return true; })) {
-            ASSERT_EQ(Entry(cost, node), expected.top()) << "width " << width;
-            expected.pop();
-            if (draws < 8000) push_above(cost);
-        }
-        EXPECT_TRUE(expected.empty());
+        float before = 0.0f;
+        queue.drain([&](BucketQueue::Entry entry, BucketQueue::Entry) {
+            ASSERT_GT(entry.cost, before - 1.001f * width);
+            before = std::max(before, entry.cost);
+            ASSERT_EQ(waiting.erase(entry.node), 1u);
+            if (draws < 8000) push_above(entry.cost);
+        });
+        EXPECT_TRUE(waiting.empty());
     }
-}
-
-TEST(BucketQueue, MayDropTheDead) {
-    BucketQueue queue(1.0f);
-    for (int i = 0; i < 100; ++i) queue.push(0.5f * static_cast<float>(i), i);
-    float cost = 0.0f;
-    int node = 0, popped = 0;
-    while (queue.pop(cost, node, [](float, int n) { return n % 2 == 0; })) {
-        EXPECT_EQ(node % 2, 0);
-        ++popped;
-    }
-    EXPECT_EQ(popped, 50);
 }
 
 TEST(LeastCost, EqualsReferenceOnRandomGraphs) {
@@ -137,12 +152,90 @@ TEST(LeastCost, EqualsReferenceWithAFactorForEachStart) {
         const auto starts = random_starts(graph, 40, 3000.0, seed);
         std::vector<float> factors;
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            // From so flat that costs hardly rise to steeper than the queue's ring.
-            const double power = 12.0 * unit(hash_of({seed, i})) - 9.0;
+            // So far apart that steps leave the queue's ring.
+            const double power = 4.0 * unit(hash_of({seed, i})) - 2.0;
             factors.push_back(static_cast<float>(std::pow(10.0, power)));
         }
         expect_same_as_reference(graph, starts, ConstantGrowth{starts, factors}, paths);
     }
+}
+
+TEST(LeastCost, EqualsReferenceAlongProfiles) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Graph graph = graph_of(
+            70, 50, 10.0,
+            {.mean = 2.0, .deviation = 1.5, .neighbours = seed % 2 ? 8 : 16}, seed);
+        LeastCost paths(graph);
+        for (int count : {1, 9, 60}) {
+            const auto starts = random_starts(graph, count, 80.0, seed);
+            const Shapes shapes = some_shapes(graph, starts.size(), 100.0);
+            expect_same_as_reference(graph, starts, ProfileGrowth(shapes, starts, 0),
+                                     paths);
+        }
+    }
+}
+
+TEST(LeastCost, EqualsReferenceWhereProfilesChange) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Graph graph = graph_of(60, 60, 10.0, {.mean = 2.0, .deviation = 1.0}, seed);
+        LeastCost paths(graph);
+        const auto starts = random_starts(graph, 12, 80.0, seed);
+        Shapes shapes = some_shapes(graph, starts.size(), 100.0);
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            shapes.other_ways.push_back(static_cast<std::uint8_t>(mix(i + 7) % 3));
+            shapes.sides.push_back({0.0f, -1.0f});
+        }
+        shapes.way_at.assign(static_cast<std::size_t>(graph.nodes()), Shapes::kOwn);
+        for (int y = 20; y < 40; ++y)
+            for (int x = 10; x < 50; ++x) shapes.way_at[graph.node(x, y)] = 2;
+        shapes.region_ways = {2};
+        expect_same_as_reference(graph, starts, ChangingGrowth(graph, shapes, starts, 0),
+                                 paths);
+    }
+}
+
+TEST(LeastCost, GoesOnAtTheSameHeightInARegion) {
+    // A cone of slope 1, in the eastern half of slope 3.
+    const Graph graph = graph_of(101, 21, 10.0, {.mean = 2.0, .deviation = 0.0}, 1);
+    const std::vector<Start> starts{{graph.node(20, 10), 0.0f}};
+    Shapes shapes{1000.0, 2.0, {}, {0}, {}, {}, {}, {1}};
+    for (double reach : {1000.0, 1000.0 / 3.0}) {
+        Profile straight;
+        straight.curve.points = {{0, 1}, {1, 0}};
+        straight.reach = metres(reach);
+        shapes.descents.push_back(descent_of(straight, 1000.0, 2.0, 0.001, 1010.0));
+    }
+    shapes.way_at.assign(static_cast<std::size_t>(graph.nodes()), Shapes::kOwn);
+    for (int y = 0; y < 21; ++y)
+        for (int x = 51; x < 101; ++x) shapes.way_at[graph.node(x, y)] = 1;
+    LeastCost paths(graph);
+    paths.spread(starts, ChangingGrowth(graph, shapes, starts, 0));
+    EXPECT_NEAR(paths[graph.node(50, 10)].cost, 300.0, 0.5);
+    EXPECT_NEAR(paths[graph.node(60, 10)].cost, 300.0 + 300.0, 1.0);
+    EXPECT_NEAR(paths[graph.node(10, 10)].cost, 100.0, 0.5);
+}
+
+TEST(LeastCost, HasAProfileOnEachSideOfAStroke) {
+    // A stroke from west to east: slope 1 to its north, 3 to its south.
+    const Graph graph = graph_of(61, 61, 10.0, {.mean = 2.0, .deviation = 0.0}, 1);
+    std::vector<Start> starts;
+    Shapes shapes{1000.0, 2.0, {}, {}, {}, {}, {}, {}};
+    for (int x = 5; x < 56; ++x) {
+        starts.push_back({graph.node(x, 30), 0.0f});
+        shapes.ways.push_back(0);
+        shapes.other_ways.push_back(1);
+        shapes.sides.push_back({0.0f, -1.0f});
+    }
+    for (double reach : {1000.0, 1000.0 / 3.0}) {
+        Profile straight;
+        straight.curve.points = {{0, 1}, {1, 0}};
+        straight.reach = metres(reach);
+        shapes.descents.push_back(descent_of(straight, 1000.0, 2.0, 0.001, 610.0));
+    }
+    LeastCost paths(graph);
+    paths.spread(starts, ChangingGrowth(graph, shapes, starts, 0));
+    EXPECT_NEAR(paths[graph.node(30, 20)].cost, 100.0, 0.5);
+    EXPECT_NEAR(paths[graph.node(30, 40)].cost, 300.0, 0.5);
 }
 
 TEST(LeastCost, OneStartIsThePolygonalConeOfTheMetric) {
@@ -203,7 +296,7 @@ TEST(LeastCost, PathBackAddsUpToItsCost) {
     const auto starts = random_starts(graph, 5, 300.0, 2);
     LeastCost paths(graph);
     paths.spread(starts, RawGrowth{starts});
-    const std::vector<int> path = path_back(paths, graph.node(3, 71));
+    const std::vector<int> path = path_back(graph, paths, graph.node(3, 71));
     const Label& end = paths[path.front()];
     EXPECT_EQ(path.back(), starts[end.origin].node);
     double cost = starts[end.origin].cost;
