@@ -1,5 +1,7 @@
 #include "synth/distance/curve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -28,7 +30,7 @@ struct Reading {
 
     Error error(std::size_t i, const std::string& flaw) const {
         if (!lines.empty()) return bad_request("{}:{}: {}", name, lines[i], flaw);
-        return bad_request("{}: {} at x = {}{}", name, flaw, points[i].x, unit);
+        return bad_request("{} at x = {}{}: {}", name, points[i].x, unit, flaw);
     }
 };
 
@@ -145,7 +147,7 @@ std::vector<CurvePoint> falling_points_of(const Curve& curve, const std::string&
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i].f > points[i - 1].f + tolerance) {
             throw reading.error(
-                i, "a cross-section must fall from the feature outward, and rises");
+                i, "rises, but a cross-section must fall from the feature outward");
         }
         points[i].f = std::min(points[i].f, points[i - 1].f);
     }

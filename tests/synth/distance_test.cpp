@@ -155,29 +155,6 @@ TEST(Distance, ProfileDrawnAsAPicture) {
     }
 }
 
-TEST(Distance, FlatPartsOfAProfileAreLeft) {
-    const Profile mesa{.image = {},
-                       .points = {{0, 9}, {5, 9}, {6, 1}, {12, 1}, {13, 0}},
-                       .reach = metres(1300.0)};
-    const Descent descent = descent_of(mesa, 90.0, 2.0, 0.001, 5120.0);
-    ASSERT_EQ(descent.costs.front(), 0.0f);
-    EXPECT_FLOAT_EQ(descent.costs.back(), 90.0f);
-    for (std::size_t i = 1; i < descent.costs.size(); ++i) {
-        ASSERT_GT(descent.costs[i], descent.costs[i - 1]);
-    }
-    EXPECT_NEAR(descent(600.0f), 80.0, 0.1);
-}
-
-TEST(Distance, TooFlatSlopesComeFromTheirNeighbours) {
-    const Profile profile{.image = {},
-                          .points = {{0, 100}, {10, 50}, {1000, 49.9}, {1010, 0}},
-                          .reach = metres(1010.0)};
-    const Descent descent = descent_of(profile, 100.0, 2.0, 0.001, 5120.0);
-    // All three pieces have slope 5 now: 100 m of cost in 20 m.
-    EXPECT_NEAR(descent.reach, 20.0, 0.05);
-    EXPECT_NEAR(descent(10.0f), 50.0, 0.1);
-}
-
 // Two features on one graph, and what each gives alone.
 struct Pair {
     Graph graph =
@@ -482,23 +459,6 @@ TEST(DistanceRefuses, OptionsOutOfRange) {
               std::string::npos);
     EXPECT_NE(refused([](Options& o) { o.peaks.count = 2000; }).find("peaks count"),
               std::string::npos);
-}
-
-TEST(DistanceRefuses, ARisingProfileSayingWhere) {
-    Options options = running_example();
-    options.profile.points = {{0, 10}, {4, 5}, {7, 6}, {9, 0}};
-    EXPECT_NE(message_of(options).find("rises at x = 7"), std::string::npos);
-    options.profile.points = {{0, 1}, {4, 1}};
-    EXPECT_NE(message_of(options).find("flat"), std::string::npos);
-    options.profile.points = {{0, 1}, {0, 0}};
-    EXPECT_NE(message_of(options).find("x must increase"), std::string::npos);
-}
-
-TEST(DistanceRefuses, AProfilePictureWithoutALine) {
-    const Picture picture(Field<Rgb8>(8, 8, kWhite));
-    Options options = running_example();
-    options.profile = {.image = picture.source(), .points = {}, .reach = {}};
-    EXPECT_NE(message_of(options).find("dark line"), std::string::npos);
 }
 
 }  // namespace
