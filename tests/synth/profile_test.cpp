@@ -11,6 +11,7 @@
 
 #include "field/image.h"
 #include "synth/distance/curve.h"
+#include "synth/distance/relief.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::distance {
@@ -324,6 +325,29 @@ TEST(Detail, IsOfTheProfilesNameAndOfMetres) {
     const std::vector<double> far = slopes_with(0.5, "a", 180);
     for (std::size_t i = 2; i < 88; ++i) {
         EXPECT_NEAR(near[i] / near[i - 1], far[i] / far[i - 1], 0.05);
+    }
+}
+
+TEST(Detail, NeverLevelAndNoJump) {
+    for (const double cost : {60.0, 600.0, 6000.0}) {
+        const std::vector<CostPoint> line{{0.0, 0.0}, {900.0, cost}};
+        const double slope = cost / 900.0;
+        double least = 9.0, most = 0.0;  // times the slope
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const std::vector<CostPoint> cut = with_detail(line, 1.0, 160.0, seed);
+            EXPECT_EQ(cut.back().cost, cost);
+            EXPECT_EQ(cut.back().distance, 900.0);
+            for (std::size_t i = 1; i < cut.size(); ++i) {
+                const double step = (cut[i].cost - cut[i - 1].cost) /
+                                    (cut[i].distance - cut[i - 1].distance) / slope;
+                least = std::min(least, step);
+                most = std::max(most, step);
+            }
+        }
+        EXPECT_GT(least, 0.02);
+        EXPECT_LT(least, 0.3);
+        EXPECT_GT(most, 1.6);
+        EXPECT_LT(most, 3.0);
     }
 }
 
