@@ -49,7 +49,7 @@ void read(Table& t, Region& region, const Names& names) {
     t.field("feather", region.feather, LengthUnit{at_least(0.0)});
     t.check(region.image.has_value() == region.inside.empty(), {"inside", "image"},
             "needs exactly one of image and inside");
-    t.only_if(names.random_weights, {"profile"}, "random weights, not for edge_weights");
+    t.only_if(names.random_weights, {"profile"}, "a stage without edge_weights");
 }
 
 void read(Table& t, Water& water, const Names& names) {
@@ -74,8 +74,8 @@ void read_weights(Table& t, Options& o) {
 
     t.only_if(!o.edge_weights,
               {"mean_edge_weight", "mean_edge_weight_map", "edge_weight_deviation",
-               "edge_weight_deviation_map", "grain"},
-              "random weights, not for edge_weights");
+               "edge_weight_deviation_map"},
+              "a stage without edge_weights");
     t.only_if(!o.mean_edge_weight_map, {"mean_edge_weight"},
               "a stage without mean_edge_weight_map");
     t.only_if(!o.edge_weight_deviation_map, {"edge_weight_deviation"},
@@ -87,6 +87,8 @@ void read_weights(Table& t, Options& o) {
         o.edge_weight_deviation_map ? std::ranges::max(o.edge_weight_deviation_map->range)
                                     : o.edge_weight_deviation);
     t.check(o.neighbours == 8 || o.neighbours == 16, {"neighbours"}, "must be 8 or 16");
+    t.check(o.metric == Options::Metric::kEuclidean || o.neighbours == 8,
+            {"neighbours", "metric"}, "metric = \"thesis\" has 8 neighbours");
 }
 
 void read_blending(Table& t, Options& o) {
@@ -105,7 +107,7 @@ void read_profiles(Table& t, Options& o, Names& names) {
     t.tables("profile", o.profiles, kMostProfiles);
     t.unique("profile", "name");
     for (const Profile& profile : o.profiles) names.profiles.push_back(profile.name);
-    t.only_if(names.random_weights, {"profile"}, "random weights, not for edge_weights");
+    t.only_if(names.random_weights, {"profile"}, "a stage without edge_weights");
 }
 
 // Every profile that is asked for by name, once, in the file's order.

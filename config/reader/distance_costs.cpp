@@ -83,7 +83,7 @@ void check_kind(Table& t, const CostRule& cost) {
 }  // namespace
 
 void read(Table& t, Profile::Strata& strata) {
-    t.field("layers", strata.layers, Whole{0, 256});
+    t.field("layers", strata.layers, Whole{0, 64});
     t.field("hardness", strata.hardness, Number{from(0.0, 1.0)});
     t.only_if(strata.layers > 0, {"hardness"}, "strata with layers");
 }

@@ -27,6 +27,12 @@ bool rises(const std::array<Length, 2>& range) {
     return same_unit && least.metres <= most.metres && least.fraction <= most.fraction;
 }
 
+bool descend(const std::vector<Terraces::Level>& levels) {
+    return std::ranges::adjacent_find(levels, [](const auto& far, const auto& near) {
+               return near.range[1] > far.range[0];
+           }) == levels.end();
+}
+
 }  // namespace
 
 void read(Table& t, Placement::Away& away, const Names& names) {
@@ -35,7 +41,7 @@ void read(Table& t, Placement::Away& away, const Names& names) {
 }
 
 void read(Table& t, Placement& placement, const Names& names) {
-    t.field("count", placement.count, Whole{1, kMostFeatures});
+    t.field("count", placement.count, Whole{0, kMostFeatures});
     t.field("density", placement.density, Number{above_to(0.0, kMostFeatures)});
     t.field("keep_out", placement.keep_out, File{});
     t.field("apart", placement.apart, LengthUnit{at_least(0.0)});
@@ -61,7 +67,7 @@ void read(Table& t, Circles& circles, const Names& names) {
 
 void read(Table& t, Edges& edges) {
     t.required("image", edges.image, File{});
-    t.field("threshold", edges.threshold, Number{from(0.0, 1.0)});
+    t.field("threshold", edges.threshold, Number{above_to(0.0, 1.0)});
 }
 
 void read(Table& t, Terraces::Level& level) {
@@ -74,6 +80,9 @@ void read(Table& t, Terraces& terraces) {
     t.required("image", terraces.image, File{});
     t.tables("level", terraces.levels, kMostLevels);
     t.check(!terraces.levels.empty(), {"level"}, "needs at least one level");
+    t.check(descend(terraces.levels), {"level"},
+            "levels must go from the farthest from the strokes to the nearest and not "
+            "overlap");
 }
 
 void read(Table& t, Lip& lip) {
@@ -138,7 +147,7 @@ void read(Table& t, Group& group, Names& names) {
     t.only_if(!std::holds_alternative<Terraces>(group.where), {"cost"},
               "features other than terraces, whose levels have theirs");
     t.only_if(names.random_weights, {"profile", "other_side"},
-              "random weights, not for edge_weights");
+              "a stage without edge_weights");
     t.only_if(!group.profile.empty(), {"other_side"}, "a group with a profile");
 }
 

@@ -19,14 +19,15 @@ TEST_F(Broken, TruncatedAtEveryByte) {
         complaint(scene.substr(0, size));
 }
 
-TEST_F(Broken, EveryByteReplaced) {
+TEST_F(Broken, EveryByteReplacedOrErased) {
     const std::string scene = golden_text("full.toml");
     const std::string bytes = std::string("\0\n\"\\[{=.#9-", 11) + "\xff\xc3";
     for (std::size_t i = 0; i < scene.size(); ++i) {
         std::string broken = scene;
-        broken[i] = bytes[i % bytes.size()];
-        complaint(broken);
-        broken.erase(i, 1);
+        if (i % 2 == 0)
+            broken[i] = bytes[i / 2 % bytes.size()];
+        else
+            broken.erase(i, 1);
         complaint(broken);
     }
 }
@@ -86,7 +87,8 @@ TEST_F(Broken, ManyMistakesAreCutShort) {
 TEST_F(Broken, TextWithLineBreaks) {
     EXPECT_EQ(complaint("title = \"a\\nb\"\n" + kLeastScene),
               "scene.toml:1:9: title: text with line breaks or other control characters");
-    EXPECT_NE(complaint(kLeastScene + "strokes = \"ridges\\u0000.svg\"\n"), "");
+    EXPECT_NE(complaint(kLeastScene + "region = [{ image = \"ridges\\u0000.svg\" }]\n"),
+              "");
 }
 
 TEST_F(Broken, NoSceneFile) {

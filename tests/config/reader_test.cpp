@@ -20,12 +20,15 @@ TEST_F(Reader, LeastSceneHasTheStructsDefaults) {
     EXPECT_EQ(s.seed, SceneSpec{}.seed);
     EXPECT_EQ(s.terrain.width, TerrainSpec{}.width);
     EXPECT_EQ(s.terrain.samples, TerrainSpec{}.samples);
-    EXPECT_EQ(d.peaks.count, 3);
     EXPECT_EQ(d.grain, plain.grain);
-    EXPECT_EQ(d.cost.noise, plain.cost.noise);
-    EXPECT_EQ(d.cost.range, plain.cost.range);
     EXPECT_EQ(d.sea_level_threshold, plain.sea_level_threshold);
-    EXPECT_TRUE(d.profile.empty());
+    EXPECT_FALSE(d.edge_weights || d.mean_edge_weight_map || d.preview);
+    ASSERT_EQ(d.groups.size(), 1u);
+    EXPECT_EQ(std::get<distance::Peaks>(d.groups[0].where).placement.count, 3);
+    EXPECT_EQ(d.groups[0].name, "group-1");
+    EXPECT_EQ(d.groups[0].cost.noise, NoiseOptions{});
+    EXPECT_FALSE(d.groups[0].cost.range || d.groups[0].cost.share);
+    EXPECT_TRUE(d.groups[0].profile.empty() && d.profiles.empty());
     EXPECT_FALSE(s.render.sun || s.render.water || s.render.colour.config);
     EXPECT_TRUE(s.render.cameras.empty());
     EXPECT_EQ(s.render.ground.rock_slope, render::GroundOptions{}.rock_slope);
@@ -37,20 +40,21 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 3u);
+    ASSERT_EQ(s.stages.size(), 4u);
 
     const auto& d = stage<distance::Options>(s, 0);
-    EXPECT_EQ(d.strokes->path, folder_ / "ridges.svg");
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
-    EXPECT_EQ(d.neighbours, 16);
     EXPECT_EQ(d.grain, of_width(0.01));
-    EXPECT_EQ(d.cost.kind, distance::CostRule::Kind::kRandom);
-    EXPECT_EQ(d.cost.range[1], metres(300.0));
-    EXPECT_EQ(d.peaks.cost.noise.kind, NoiseOptions::Kind::kRidged);
-    EXPECT_EQ(d.profile.points.at(1)[1], 0.5);
-    EXPECT_EQ(d.profile.reach, metres(900.0));
+    EXPECT_EQ(d.combine, distance::Options::Combine::kReplace);
+    EXPECT_EQ(d.vertical_scale, 0.45);
+    EXPECT_TRUE(d.preview);
+    const auto& maps = stage<distance::Options>(s, 1);
+    EXPECT_EQ(maps.edge_weight_deviation_map->range, (std::array{0.4, 0.0}));
+    EXPECT_EQ(maps.blending_bias_map->image.name(), "profile.png");
+    EXPECT_EQ(stage<distance::Options>(s, 2).edge_weights->range[0], 0.25);
+    EXPECT_EQ(stage<distance::Options>(s, 2).neighbours, 16);
 
-    const auto& p = stage<pareidolia::Options>(s, 2);
+    const auto& p = stage<pareidolia::Options>(s, 3);
     EXPECT_EQ(p.images.at(0).azimuth, std::nullopt);
     EXPECT_EQ(p.images.at(0).elevation, radians(20.0));
     EXPECT_EQ(p.images.at(0).target.name(), "ridges.svg");
@@ -73,18 +77,19 @@ TEST_F(Reader, FullSceneOfRender) {
 
 TEST_F(Reader, SourcesAreEveryFileOfAStage) {
     const SceneSpec s = load(golden_text("full.toml")).at(0);
-    for (const auto& spec : s.stages) ASSERT_EQ(spec.sources.size(), 1u);
-    EXPECT_EQ(s.stages[0].sources[0].name(), "ridges.svg");
-    EXPECT_EQ(s.stages[1].sources[0].name(), "profile.png");
+    for (const auto& source : s.stages[1].sources)
+        EXPECT_EQ(source.name(), "profile.png");
+    EXPECT_EQ(s.stages[1].sources.size(), 4u);
+    ASSERT_EQ(s.stages[3].sources.size(), 1u);
+    EXPECT_EQ(s.stages[3].sources[0].name(), "ridges.svg");
 }
 
 TEST_F(Reader, AbsolutePaths) {
     const std::string path = (folder_ / "ridges.svg").string();
-    EXPECT_EQ(complaint(kLeastScene + "strokes = '" + path + "'\n"), "");
-    EXPECT_EQ(complaint(kLeastScene + "strokes = '" + path + "x'\n"),
-              "scene.toml:4:11: terrain.stage[0].strokes: cannot open 'ridges.svgx': No "
-              "such file or "
-              "directory");
+    EXPECT_EQ(complaint(kLeastScene + "water = [{ image = '" + path + "' }]\n"), "");
+    EXPECT_EQ(complaint(kLeastScene + "water = [{ image = '" + path + "x' }]\n"),
+              "scene.toml:4:20: terrain.stage[0].water[0].image: cannot open "
+              "'ridges.svgx': No such file or directory");
 }
 
 TEST_F(Reader, KeysInterpolate) {
@@ -113,34 +118,41 @@ TEST_F(Reader, KeysChangeTheCanonicalTextOfTheirStageOnly) {
     const Scene scene = load(golden_text("full.toml"));
     const SceneSpec a = scene.at(0), b = scene.at(12);
     EXPECT_NE(a.stages[0].text, b.stages[0].text);
-    EXPECT_EQ(a.stages[2].text, b.stages[2].text);
+    EXPECT_EQ(a.stages[3].text, b.stages[3].text);
     EXPECT_NE(a.render_text, b.render_text);  // the sun moves
 }
 
 TEST_F(Reader, CanonicalTextIgnoresOrderAndComments) {
     const SceneSpec a = load(
                             "[[terrain.stage]]\nmethod = 'distance'\n"
-                            "strokes = 'ridges.svg'\nminimum_scale = 0.1\n"
-                            "grain = \"5 %\"\n[terrain.stage.peaks]\ncount = 2\n"
+                            "minimum_scale = 0.1\ngrain = \"5 %\"\n"
+                            "[[terrain.stage.group]]\nprofile = 'own'\n"
+                            "strokes.image = 'ridges.svg'\n"
+                            "[[terrain.stage.profile]]\nname = 'own'\n"
+                            "points = [[0, 1], [1, 0]]\n"
                             "[render]\nsky.fill = 2\nhaze.visibility = 10.0\n")
                             .at(0);
     const SceneSpec b = load(
                             "render.haze = { visibility = 10 } # hazy\n"
                             "render.sky = { fill = 2.0 }\n[[terrain.stage]] # one\n"
-                            "peaks = { count = 0x2 }\ngrain = '5.0 %'\n"
-                            "minimum_scale = 1e-1\nstrokes = './ridges.svg'\n"
-                            "method = 'distance'\n")
+                            "grain = '5.0 %'\nprofile = [{ points = [[0, 1.0], "
+                            "[0x1, 0]], name = 'own' }]\nminimum_scale = 1e-1\n"
+                            "group = [{ strokes = { image = './ridges.svg' }, "
+                            "profile = ['own'] }]\nmethod = 'distance'\n")
                             .at(0);
     EXPECT_EQ(a.stages[0].text, b.stages[0].text);
     EXPECT_EQ(a.render_text, b.render_text);
     EXPECT_EQ(a.stages[0].text.find(".svg"), std::string::npos);
     EXPECT_LT(a.stages[0].text.find("\ngrain"), a.stages[0].text.find("\nmethod"));
-    EXPECT_LT(a.stages[0].text.find("\nmethod"), a.stages[0].text.find("\nstrokes"));
+    EXPECT_LT(a.stages[0].text.find("\nmethod"), a.stages[0].text.find("\nneighbours"));
 }
 
 TEST_F(Reader, CanonicalTextKnowsFilesByContent) {
     const auto text = [&](const char* name) {
-        return load(kLeastScene + "strokes = '" + name + "'\n").at(0).stages[0].text;
+        return load(kLeastScene + "region = [{ image = '" + name + "' }]\n")
+            .at(0)
+            .stages[0]
+            .text;
     };
     std::filesystem::copy_file(folder_ / "ridges.svg", folder_ / "copy.svg");
     const std::string before = text("ridges.svg");
@@ -164,7 +176,7 @@ TEST_F(Reader, OverridesReplaceAndAdd) {
         load(
             golden_text("full.toml"),
             {"terrain.samples=64", "terrain.stage.0.grain=5.5 %",
-             "terrain.stage[0].metric=euclidean", "terrain.stage[2].image[0].min_iou=0.5",
+             "terrain.stage[0].metric=euclidean", "terrain.stage[3].image[0].min_iou=0.5",
              "terrain.stage[0].edge_weight_deviation=0.25", "render.ground.snow_line=7",
              "render.camera[2].eye[2]=31", "title=a = b"})
             .at(0);
@@ -174,7 +186,7 @@ TEST_F(Reader, OverridesReplaceAndAdd) {
     EXPECT_EQ(d.grain, of_width(0.055));
     EXPECT_EQ(d.metric, distance::Options::Metric::kEuclidean);
     EXPECT_EQ(d.edge_weight_deviation, 0.25);
-    EXPECT_EQ(stage<pareidolia::Options>(s, 2).images[0].min_iou, 0.5);
+    EXPECT_EQ(stage<pareidolia::Options>(s, 3).images[0].min_iou, 0.5);
     EXPECT_EQ(s.render.cameras[2].eye[2], metres(31.0));
     const SceneSpec added = load(kLeastScene, {"render.water.level=3"}).at(0);
     EXPECT_EQ(added.render.water->level, metres(3.0));

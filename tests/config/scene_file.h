@@ -26,7 +26,7 @@ class SceneFile : public testing::Test {
   protected:
     SceneFile() {
         std::filesystem::create_directories(folder_);
-        for (const char* name : {"ridges.svg", "profile.png"})
+        for (const char* name : {"ridges.svg", "profile.png", "profile.csv"})
             std::filesystem::copy_file(golden_folder() / name, folder_ / name);
     }
     ~SceneFile() override { std::filesystem::remove_all(folder_); }
@@ -61,6 +61,6 @@ class SceneFile : public testing::Test {
 inline const std::string kLeastScene =
     "[[terrain.stage]]\n"
     "method = \"distance\"\n"
-    "peaks = { count = 3 }\n";
+    "group = [{ peaks = { count = 3 } }]\n";
 
 }  // namespace cydonia::config
