@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,12 +19,18 @@ struct ShadowImage {
     double min_iou = 0.85;  // the check fails below
 };
 
+// In Terrain::water: no water.
+inline constexpr float kDry = -std::numeric_limits<float>::infinity();
+
 // Land: square cells, samples at cell centres, so that N samples span N cells.
 struct Terrain {
     Field<float> heights;  // metres
     double spacing = 1.0;  // metres from a sample to the next; the size of a cell
     std::map<std::string, Field<float>> masks;  // 0 to 1, same shape as the heights
     std::vector<ShadowImage> shadows;
+    // Height of the water's surface, metres, kDry where there is none; empty without any.
+    // Where there is, `heights` is the bed.
+    Field<float> water;
 
     double width() const { return spacing * heights.width(); }   // west to east, metres
     double depth() const { return spacing * heights.height(); }  // south to north, metres

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr std::string_view kMagic = "cydonia terrain 1\n";
+constexpr std::string_view kMagic = "cydonia terrain 2\n";
 constexpr std::string_view kExtension = ".terrain";
 constexpr std::uint32_t kMaxSide = 1u << 16;
 constexpr std::uint32_t kMaxItems = 4096;
@@ -111,6 +111,7 @@ std::string packed(const Terrain& terrain) {
         out.value(image.sun);
         out.value(image.min_iou);
     }
+    out.field(terrain.water);
     return out.all();
 }
 
@@ -131,6 +132,7 @@ Terrain unpacked(std::string_view bytes) {
         image.min_iou = in.value<double>();
         terrain.shadows.push_back(std::move(image));
     }
+    terrain.water = in.field<float>();
     return terrain;
 }
 

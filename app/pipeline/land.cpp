@@ -64,7 +64,7 @@ const Terrain& Land::after(int stage) {
 }
 
 Terrain Land::made(int stage) {
-    if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}};
+    if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}, {}};
     if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
     const config::StageSpec& spec = spec_.stages[static_cast<std::size_t>(stage - 1)];
     Terrain terrain = run(spec.options, after(stage - 1),

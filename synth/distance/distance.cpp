@@ -14,6 +14,7 @@
 #include "synth/distance/graph.h"
 #include "synth/distance/map.h"
 #include "synth/distance/profile.h"
+#include "synth/distance/water.h"
 
 namespace cydonia::distance {
 namespace {
@@ -171,6 +172,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
              options.preview ? approximate_heights(ground, approximate)
                              : blended_heights(ground, blend, approximate, progress),
              options);
+    lay_water(result, options, graph);
     return result;
 }
 
