@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace {
 
 // SVG is drawn finer than the grid, up to this many pixels a side, so that strokes
 // thinner than a cell are seen.
-constexpr int kFinestDrawing = 4096;
+constexpr int kFinestDrawing = 2048;
 
 int pixels_a_cell(int width, int height, int most) {
     return std::clamp(kFinestDrawing / std::max(width, height), 1, most);
@@ -27,6 +28,74 @@ Rgba8 snapped(Rgba8 pixel) {
     const auto [r, g, b, alpha] = pixel;
     if (alpha < 128 || (r >= kWhite && g >= kWhite && b >= kWhite)) return kNothing;
     return {r, g, b, 255};
+}
+
+void snap_all(Field<Rgba8>& image) {
+    std::transform(image.begin(), image.end(), image.begin(), snapped);
+}
+
+constexpr std::size_t kManyColours = 16;
+
+bool has_many_colours(const Field<Rgba8>& image) {
+    std::vector<Rgba8> known;
+    for (Rgba8 pixel : image) {
+        if (pixel == kNothing || (!known.empty() && known.back() == pixel)) continue;
+        if (std::find(known.begin(), known.end(), pixel) != known.end()) continue;
+        if (known.size() == kManyColours) return true;
+        known.push_back(pixel);
+    }
+    return false;
+}
+
+Rgba8 black_or_nothing(Rgba8 pixel) {
+    const auto [r, g, b, alpha] = pixel;
+    return alpha > 0 && std::min({r, g, b}) < 128 ? Rgba8{0, 0, 0, 255} : kNothing;
+}
+
+using Palette = std::span<const std::array<std::uint8_t, 3>>;
+
+// The nearest colour of the palette, the greatest difference of a channel counting.
+std::optional<Rgba8> named(Rgba8 pixel, Palette palette) {
+    int least = 49;
+    std::optional<Rgba8> nearest;
+    for (const auto& [r, g, b] : palette) {
+        const int difference = std::max(
+            {std::abs(pixel[0] - r), std::abs(pixel[1] - g), std::abs(pixel[2] - b)});
+        if (difference >= least) continue;
+        least = difference;
+        nearest = {r, g, b, 255};
+    }
+    return nearest;
+}
+
+bool near_a_stroke(const Field<Rgba8>& image, int x0, int y0) {
+    for (int y = y0 - 2; y <= y0 + 2; ++y)
+        for (int x = x0 - 2; x <= x0 + 2; ++x)
+            if (image.contains(x, y) && image(x, y) != kNothing) return true;
+    return false;
+}
+
+// The image in the palette's colours.
+Field<Rgba8> painted_with(Palette palette, const Field<Rgba8>& image,
+                          const Source& source) {
+    Field<Rgba8> result(image.width(), image.height(), kNothing);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (image[i] == kNothing) continue;
+        if (const auto colour = named(image[i], palette))
+            result[i] = *colour;
+        else
+            others.push_back(i);
+    }
+    for (const std::size_t i : others) {
+        const int x = static_cast<int>(i) % image.width();
+        const int y = static_cast<int>(i) / image.width();
+        if (near_a_stroke(result, x, y)) continue;
+        throw bad_request(
+            "colour #{:02x}{:02x}{:02x} of {} has no group: give it one, or leave it out",
+            image[i][0], image[i][1], image[i][2], source.name());
+    }
+    return result;
 }
 
 // The pixels [begin, end) whose centres fall in cell i; where the image is coarser than
@@ -73,7 +142,7 @@ Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
             const auto [top, bottom] = pixels_of_cell(y, height, image.height());
             vote.clear();
             for (int j = top; j < bottom; ++j)
-                for (int i = left; i < right; ++i) vote.add(snapped(image(i, j)));
+                for (int i = left; i < right; ++i) vote.add(image(i, j));
             cells(x, y) = vote.winner();
         }
     return cells;
@@ -93,12 +162,18 @@ Field<float> svg_grey(const Source& source, int width, int height) {
 
 }  // namespace
 
-Field<Rgba8> read_strokes(const Source& source, int width, int height) {
+Field<Rgba8> read_strokes(const Source& source, int width, int height, Palette palette) {
     assert(width > 0 && height > 0);
     const int finer = pixels_a_cell(width, height, kFinestDrawing);
-    const Field<Rgba8> image =
-        is_svg(source) ? read_svg(source, finer * width, finer * height, SvgEdges::kCrisp)
-                       : read_rgba(source);
+    const bool is_drawing = is_svg(source);
+    Field<Rgba8> image =
+        is_drawing ? read_svg(source, finer * width, finer * height, SvgEdges::kCrisp)
+                   : read_rgba(source);
+    snap_all(image);
+    if (!palette.empty())
+        image = painted_with(palette, image, source);
+    else if (!is_drawing && has_many_colours(image))
+        std::transform(image.begin(), image.end(), image.begin(), black_or_nothing);
     Field<Rgba8> cells = touched_cells(image, width, height);
     if (std::all_of(cells.begin(), cells.end(), [](Rgba8 p) { return p == kNothing; }))
         throw bad_request(

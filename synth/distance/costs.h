@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "field/field.h"
+#include "synth/distance/curve.h"
+#include "synth/distance/site.h"
+
+namespace cydonia::distance {
+
+// C_g(n): a cost rule made ready for one group. Values may be negative: sums have such
+// terms.
+class CostPattern {
+  public:
+    // `reference` is what share_of names, for one feature. Throws bad_request, naming
+    // the group, for a rule that contradicts itself.
+    using Reference = std::function<double(const CostRule&, const Shape&)>;
+    CostPattern(const CostRule& rule, const std::string& group, const Site& site,
+                Reference reference, std::uint64_t purpose = 0);
+
+    // The i-th feature of the group is what at() is asked about from now on.
+    void enter(const Shape& shape, int i);
+    double at(const Place& place) const;
+
+    // The rule's least and greatest value for the feature: of sums and minima, bounds.
+    struct Range {
+        double least = 0.0, greatest = 1.0;
+    };
+    Range range() const {
+        return {std::min(ends_[0], ends_[1]), std::max(ends_[0], ends_[1])};
+    }
+
+  private:
+    double raw(const Place& place) const;
+    Range raw_range() const;
+    double drawn_share(double along) const;
+
+    CostRule rule_;
+    const Site* site_;
+    std::string group_;
+    Reference reference_;
+    std::uint64_t purpose_;  // sets the draws of two rules of a sum apart
+    std::vector<CostPattern> of_;
+    Field<float> painted_;
+    std::vector<CurvePoint> drawn_;
+    Range own_;  // what the pattern has over the land
+
+    // Of the feature entered: the pattern's range, and what its ends become.
+    Range source_;
+    std::array<double, 2> ends_{};
+    double random_ = 0.0;
+    double begin_ = 0.0, deviation_ = 0.0;  // of the Gaussian, along its azimuth
+    std::vector<float> along_;
+};
+
+// Sets the costs of all places, none below 0.
+void set_costs(std::vector<Shape>& shapes, const Group& group, const Site& site,
+               const CostPattern::Reference& reference);
+
+}  // namespace cydonia::distance

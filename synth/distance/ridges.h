@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "synth/distance/dijkstra.h"
+#include "synth/distance/places.h"
+#include "synth/distance/site.h"
+
+namespace cydonia::distance {
+
+// Rusnell 2009, sections 4.1 and 5.4: from random nodes back along least-cost paths to
+// the features of the groups that `ridges` names (none: the last of `groups`), which the
+// paths join. Throws bad_request when no node can be found.
+void grow_ridges(const Ridges& ridges, std::vector<PlacedGroup>& groups,
+                 const Site& site);
+
+// The generators of groups as starts at the nodes of `graph`.
+struct Origins {
+    std::vector<Start> starts;
+    struct Origin {
+        int group, shape, place;
+    };
+    std::vector<Origin> of;  // each start
+};
+Origins origins_of(std::span<const int> which, const std::vector<PlacedGroup>& groups,
+                   const Graph& graph);
+
+}  // namespace cydonia::distance

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "field/field.h"
+#include "field/image.h"
+#include "synth/distance/places.h"
+#include "synth/distance/site.h"
+
+namespace cydonia::distance {
+
+// F, Rusnell 2009, section 3.2: where the features of a group are. All throw bad_request,
+// naming the group, for numbers out of range and where nothing is found.
+
+// Strokes of every picture that groups draw from, read once.
+class DrawnStrokes {
+  public:
+    // Throws bad_request for a drawn colour that no group has, where groups have colours.
+    explicit DrawnStrokes(const Site& site);
+
+    // Connected pieces of one colour, in reading order.
+    std::vector<Shape> of(const Strokes& strokes, const std::string& group) const;
+
+  private:
+    struct Piece {
+        Rgba8 colour;
+        Shape shape;
+    };
+    struct Picture {
+        Source source;
+        std::vector<Piece> pieces;
+    };
+    std::vector<Picture> pictures_;
+};
+
+std::vector<Shape> peak_shapes(const Peaks& peaks, const std::string& group,
+                               const Site& site, const std::vector<PlacedGroup>& before);
+
+// Closed curves, whatever leaves the land cut off.
+std::vector<Shape> circle_shapes(const Circles& circles, const std::string& group,
+                                 const Site& site,
+                                 const std::vector<PlacedGroup>& before);
+
+// Connected pieces of the picture's own pixels with a gradient above eq. 4.3's.
+std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
+                               const Site& site);
+
+// One feature a level, its cost set.
+std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& group,
+                                  const Site& site);
+
+// One feature: the nodes within the distance that have a neighbour beyond it.
+std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Site& site);
+
+// The cells of each connected piece of equal values, in reading order; cells that equal
+// `nothing` are in none. Corners connect.
+template <class T>
+std::vector<std::vector<int>> pieces_of(Field<T> cells, const T& nothing) {
+    std::vector<std::vector<int>> pieces;
+    for (int start = 0; start < static_cast<int>(cells.size()); ++start) {
+        if (cells[start] == nothing) continue;
+        const T value = cells[start];
+        std::vector<int>& piece = pieces.emplace_back(1, start);
+        cells[start] = nothing;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const int x0 = piece[i] % cells.width(), y0 = piece[i] / cells.width();
+            for (int y = y0 - 1; y <= y0 + 1; ++y) {
+                for (int x = x0 - 1; x <= x0 + 1; ++x) {
+                    if (!cells.contains(x, y) || cells(x, y) != value) continue;
+                    cells(x, y) = nothing;
+                    piece.push_back(y * cells.width() + x);
+                }
+            }
+        }
+    }
+    return pieces;
+}
+
+// Cells of a columns x rows picture that is stretched over the land, as a shape.
+Shape stretched(std::vector<int> cells, int columns, int rows, const Site& site);
+
+}  // namespace cydonia::distance
