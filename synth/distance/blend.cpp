@@ -1,4 +1,5 @@
-// B. Rusnell, "Distance-based terrain synthesis" (2009), Algorithm 3, steps 5 to 7.
+// B. Rusnell, "Distance-based terrain synthesis" (2009), Algorithm 3, step 7, and
+// section 3.3.2.
 
 #include "synth/distance/blend.h"
 
@@ -67,75 +68,53 @@ struct Share {
     float weight;
 };
 
-// Calls use(growth) with the growth of cost from some of the starts: `first` on.
-template <class Use>
-void with_growth(const Ground& ground, std::span<const Start> starts, int first,
-                 const Use& use) {
-    const Shapes& shapes = ground.shapes;
-    if (shapes.raw()) return use(RawGrowth{starts});
-    if (shapes.plain()) return use(ProfileGrowth(shapes, starts, first));
-    use(ChangingGrowth(ground.graph, shapes, starts, first));
-}
+// The weights of eq. 3.7. They are relative to the approximate height, which cancels in
+// the sum and keeps any bias within range, and fade towards the border where the pass
+// stops, so that it leaves no seam (notes.md, Rusnell 5).
+class Weights {
+  public:
+    Weights(const Ground& ground, const Halting& halting, const BlendOptions& options,
+            const std::vector<float>& approximate)
+        : ground_(ground),
+          halting_(halting),
+          approximate_(approximate),
+          power_(options.bias) {
+        if (options.bias_map.empty()) return;
+        biases_.resize(approximate.size());
+        for (int y = 0; y < ground.graph.height; ++y)
+            for (int x = 0; x < ground.graph.width; ++x)
+                biases_[ground.graph.node(x, y)] = options.bias_map(x, y);
+    }
 
-struct Work {
-    const Ground& ground;
-    const BlendOptions& options;
-    std::vector<float> approximate;  // heights by node, 0 where no feature comes
-    float sea_level, least, part;
-    std::vector<float> biases;  // by node; empty: options.bias
-    Power power;
+    std::vector<Share> shares(int feature, const Pass& pass) const {
+        const int group = ground_.features.features[feature].group;
+        std::vector<Share> shares;
+        shares.reserve(pass.nodes.size());
+        for (std::size_t i = 0; i < pass.nodes.size(); ++i) {
+            const float height = pass.heights[i];
+            const float weight = weight_of(pass.nodes[i], height, group);
+            if (weight > 0.0f) shares.push_back({pass.nodes[i], height, weight});
+        }
+        return shares;
+    }
 
-    Work(const Ground& all, const BlendOptions& how, const std::vector<float>& costs)
-        : ground(all),
-          options(how),
-          approximate(costs.size()),
-          sea_level(static_cast<float>(all.shapes.sea_level)),
-          least(static_cast<float>(how.sea_level_threshold)),
-          part(static_cast<float>(how.approximate_threshold)),
-          power(how.bias) {
-        for (std::size_t i = 0; i < costs.size(); ++i)
-            approximate[i] = height_at(costs[i]);
-        if (how.bias_map.empty()) return;
-        biases.resize(costs.size());
-        for (int y = 0; y < all.graph.height; ++y)
-            for (int x = 0; x < all.graph.width; ++x)
-                biases[all.graph.node(x, y)] = how.bias_map(x, y);
+  private:
+    float weight_of(int node, float height, int group) const {
+        if (halting_.at_sea(height)) return 0.0f;
+        const float ratio = std::min(1.0f, height / approximate_[node]);
+        const float biased =
+            biases_.empty() ? power_(ratio) : std::pow(ratio, biases_[node]);
+        return fade_at_sea(height, halting_.sea_level_threshold) *
+               fade_below(ratio, halting_.approximate_threshold) * biased *
+               ground_.regions.admission(node, group);
     }
-    float height_at(float cost) const {  // eq. 3.2
-        return std::max(0.0f, sea_level - cost);
-    }
-    float biased(float ratio, int node) const {
-        return biases.empty() ? power(ratio) : std::pow(ratio, biases[node]);
-    }
+
+    const Ground& ground_;
+    const Halting& halting_;
+    const std::vector<float>& approximate_;
+    std::vector<float> biases_;  // by node; empty: the same everywhere
+    Power power_;
 };
-
-// Step 7a, and the weights of eq. 3.7. They are relative to the approximate height, which
-// cancels in the sum and keeps any bias within range, and fade towards the border where
-// the pass stops, so that it leaves no seam (notes.md, Rusnell 5).
-std::vector<Share> shares_of(const Work& work, int feature, LeastCost& paths) {
-    const Features& features = work.ground.features;
-    const std::span<const Start> starts = features.of(feature);
-    const auto expand = [&](int node, float cost) {
-        const float height = work.height_at(cost);
-        return height > work.least && height > work.part * work.approximate[node];
-    };
-    with_growth(work.ground, starts, features.first[feature],
-                [&](const auto& growth) { paths.spread(starts, growth, expand); });
-
-    const int group = features.features[feature].group;
-    std::vector<Share> shares;
-    shares.reserve(paths.settled().size());
-    for (int node : paths.settled()) {
-        const float height = work.height_at(paths[node].cost);
-        if (!(height > work.least)) continue;
-        const float ratio = std::min(1.0f, height / work.approximate[node]);
-        const float weight = fade_at_sea(height, work.least) *
-                             fade_below(ratio, work.part) * work.biased(ratio, node) *
-                             work.ground.regions.admission(node, group);
-        if (weight > 0.0f) shares.push_back({node, height, weight});
-    }
-    return shares;
-}
 
 // Step 7b.
 struct Sums {
@@ -153,22 +132,52 @@ struct Sums {
             highest[share.node] = std::max(highest[share.node], share.height);
         }
     }
-    // Where the last feature stops too the land meets the sea without a step.
-    float height_at(int node, float least) const {
-        if (weights[node] <= 0.0f) return 0.0f;
-        return fade_at_sea(highest[node], least) * (heights[node] / weights[node]);
+    // Eq. 3.7, by node. Where the last feature stops too the land meets the sea without a
+    // step.
+    std::vector<float> blended(float least) const {
+        std::vector<float> result(heights.size());
+        for (std::size_t node = 0; node < result.size(); ++node) {
+            if (weights[node] <= 0.0f) continue;
+            result[node] =
+                fade_at_sea(highest[node], least) * (heights[node] / weights[node]);
+        }
+        return result;
+    }
+};
+
+struct Work {
+    const Ground& ground;
+    const Halting& halting;
+    const std::vector<float>& approximate;
+    const Weights& weights;
+    const Onlookers& onlookers;
+};
+
+// A feature on its way through the pipeline.
+struct Ticket {
+    int feature = 0;
+    LeastCost* paths = nullptr;
+    Pass pass;
+    bool recalled = false;
+    std::vector<Share> shares;
+
+    void go(const Work& work) {
+        if (const PassMemory* memory = work.onlookers.memory) {
+            if (auto known = memory->recalled(feature, work.approximate)) {
+                pass = std::move(*known);
+                recalled = true;
+            }
+        }
+        if (!recalled) {
+            pass = pass_of(feature, work.ground, work.halting, work.approximate, *paths);
+        }
+        shares = work.weights.shares(feature, pass);
     }
 };
 
 // Step 7 for every feature, in parallel; added up in the features' order.
 void sum_features(const Work& work, std::vector<std::unique_ptr<LeastCost>>& passes,
                   Sums& sums, Progress& progress, PassCounts& counts) {
-    struct Ticket {
-        int feature = 0;
-        LeastCost* paths = nullptr;
-        std::size_t settled = 0;
-        std::vector<Share> shares;
-    };
     tbb::concurrent_queue<LeastCost*> free;
     for (const auto& paths : passes) free.push(paths.get());
     const int count = work.ground.features.count();
@@ -183,26 +192,28 @@ void sum_features(const Work& work, std::vector<std::unique_ptr<LeastCost>>& pas
         free.try_pop(ticket->paths);  // never more tickets in the air than passes
         return ticket;
     };
-    const auto pass = [&](std::shared_ptr<Ticket> ticket) {
-        ticket->shares = shares_of(work, ticket->feature, *ticket->paths);
-        ticket->settled = ticket->paths->settled().size();
+    const auto go = [&](std::shared_ptr<Ticket> ticket) {
+        ticket->go(work);
         return ticket;
     };
     const auto add = [&](const std::shared_ptr<Ticket>& ticket) {
         sums.add(ticket->shares);
-        counts.features += ticket->settled;
+        const Pass& pass = ticket->pass;
+        counts.features += pass.nodes.size();
+        if (ticket->recalled) counts.recalled += pass.nodes.size();
+        if (PassMemory* memory = work.onlookers.memory) {
+            memory->keep(ticket->feature, pass, work.approximate);
+        }
         free.push(ticket->paths);
         progress.report((ticket->feature + 1.0) / count);
     };
     using tbb::filter_mode;
+    using Passed = std::shared_ptr<Ticket>;
     tbb::parallel_pipeline(
         passes.size(),
-        tbb::make_filter<void, std::shared_ptr<Ticket>>(filter_mode::serial_in_order,
-                                                        take) &
-            tbb::make_filter<std::shared_ptr<Ticket>, std::shared_ptr<Ticket>>(
-                filter_mode::parallel, pass) &
-            tbb::make_filter<std::shared_ptr<Ticket>, void>(filter_mode::serial_in_order,
-                                                            add));
+        tbb::make_filter<void, Passed>(filter_mode::serial_in_order, take) &
+            tbb::make_filter<Passed, Passed>(filter_mode::parallel, go) &
+            tbb::make_filter<Passed, void>(filter_mode::serial_in_order, add));
 }
 
 int passes_at_once(double cells) {
@@ -211,84 +222,22 @@ int passes_at_once(double cells) {
     return std::min(fit, tbb::this_task_arena::max_concurrency() + 1);
 }
 
-template <class Value>
-Field<float> by_sample(const Graph& graph, const Value& value) {
+}  // namespace
+
+Field<float> by_sample(const Graph& graph, const std::vector<float>& values) {
     Field<float> field(graph.width, graph.height);
     for (int y = 0; y < graph.height; ++y)
-        for (int x = 0; x < graph.width; ++x) field(x, y) = value(graph.node(x, y));
+        for (int x = 0; x < graph.width; ++x) field(x, y) = values[graph.node(x, y)];
     return field;
 }
 
-// The starts of the groups that a region is open to, and their ways, as a ground of their
-// own.
-struct Part {
-    Features features;
-    Shapes shapes;
-};
-
-Part part_open(const Ground& ground, std::uint64_t open_to) {
-    Part part{{}, ground.shapes};
-    const Features& all = ground.features;
-    part.shapes.ways.clear();
-    part.shapes.other_ways.clear();
-    part.shapes.sides.clear();
-    const auto keep = [](const auto& from, auto& to, int i) {
-        if (!from.empty()) to.push_back(from[i]);
-    };
-    for (int f = 0; f < all.count(); ++f) {
-        if (!(open_to >> all.features[f].group & 1)) continue;
-        for (int i = all.first[f]; i < all.first[f + 1]; ++i) {
-            part.features.starts.push_back(all.starts[i]);
-            keep(ground.shapes.ways, part.shapes.ways, i);
-            keep(ground.shapes.other_ways, part.shapes.other_ways, i);
-            keep(ground.shapes.sides, part.shapes.sides, i);
-        }
-    }
-    return part;
-}
-
-void spread_all(const Ground& ground, float least, LeastCost& paths) {
-    const std::span<const Start> starts = ground.features.starts;
-    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
-    with_growth(ground, starts, 0, [&](const auto& growth) {
-        paths.spread(starts, growth,
-                     [&](int, float cost) { return sea_level - cost > least; });
-    });
-}
-
-}  // namespace
-
-std::vector<float> approximate_costs(const Ground& ground, const BlendOptions& options) {
-    const auto least = static_cast<float>(options.sea_level_threshold);
-    LeastCost paths(ground.graph);
-    spread_all(ground, least, paths);
-    std::vector<float> costs(static_cast<std::size_t>(ground.graph.nodes()), kUnreached);
-    for (int node : paths.settled()) costs[node] = paths[node].cost;
-    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
-
-    // In a region that is closed to some, the others make the land alone.
-    const Regions& regions = ground.regions;
-    for (std::size_t i = 0; i < regions.open_to.size(); ++i) {
-        if (regions.open_to[i] == 0) continue;
-        const Part part = part_open(ground, regions.open_to[i]);
-        spread_all({ground.graph, part.features, part.shapes, regions}, least, paths);
-        for (std::size_t node = 0; node < costs.size(); ++node) {
-            if (regions.closed[node] == 0.0f || regions.closed_by[node] != i) continue;
-            const float here = paths[static_cast<int>(node)].cost;
-            costs[node] = std::lerp(std::min(costs[node], sea_level),
-                                    std::min(here, sea_level), regions.closed[node]);
-        }
-    }
-    return costs;
-}
-
-Field<float> blended_heights(const Ground& ground, const BlendOptions& options,
-                             const std::vector<float>& costs, Progress& progress,
-                             PassCounts* counts) {
-    const Work work(ground, options, costs);
+Field<float> blended_heights(const Ground& ground, const Halting& halting,
+                             const BlendOptions& options,
+                             const std::vector<float>& approximate, Progress& progress,
+                             const Onlookers& onlookers, PassCounts* counts) {
+    const Weights weights(ground, halting, options, approximate);
+    const Work work{ground, halting, approximate, weights, onlookers};
     PassCounts counted;
-    counted.approximate = static_cast<std::size_t>(
-        std::ranges::count_if(costs, [](float cost) { return cost < kUnreached; }));
     std::vector<std::unique_ptr<LeastCost>> passes(static_cast<std::size_t>(
         std::min(passes_at_once(ground.graph.nodes()), ground.features.count())));
     for (auto& paths : passes) paths = std::make_unique<LeastCost>(ground.graph);
@@ -296,18 +245,11 @@ Field<float> blended_heights(const Ground& ground, const BlendOptions& options,
     Sums sums(ground.graph.nodes());
     sum_features(work, passes, sums, progress, counted);
     if (counts) *counts = counted;
-    return by_sample(ground.graph,
-                     [&](int node) { return sums.height_at(node, work.least); });
-}
-
-Field<float> approximate_heights(const Ground& ground, const std::vector<float>& costs) {
-    const auto sea_level = static_cast<float>(ground.shapes.sea_level);
-    return by_sample(ground.graph,
-                     [&](int node) { return std::max(0.0f, sea_level - costs[node]); });
+    return by_sample(ground.graph, sums.blended(halting.sea_level_threshold));
 }
 
 double blend_bytes(double cells) {
-    const double pass = sizeof(Label) + sizeof(int) + sizeof(Share);
+    const double pass = sizeof(Label) + 2 * sizeof(int) + sizeof(float) + sizeof(Share);
     return cells * (pass * passes_at_once(cells) + 5.0 * sizeof(float));
 }
 

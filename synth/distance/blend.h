@@ -1,52 +1,44 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "field/field.h"
 #include "field/progress.h"
-#include "synth/distance/features.h"
-#include "synth/distance/growth.h"
-#include "synth/distance/regions.h"
+#include "synth/distance/pass_memory.h"
+#include "synth/distance/passes.h"
 
 namespace cydonia::distance {
 
-// Where a feature's own pass ends and how features meet; lengths in metres.
+// How features meet.
 struct BlendOptions {
-    double bias = 3.0;                    // b, where there is no map
-    Field<float> bias_map;                // b of each sample; empty: everywhere the same
-    double sea_level_threshold = 5.0;     // epsilon_s
-    double approximate_threshold = 0.05;  // p_f
+    double bias = 3.0;      // b, where there is no map
+    Field<float> bias_map;  // b of each sample; empty: everywhere the same
 };
 
-// Everything that passes run over. All starts cost less than sea level.
-struct Ground {
-    const Graph& graph;
-    const Features& features;
-    const Shapes& shapes;
-    const Regions& regions;
-};
-
-// What the work settled, for benchmarks.
+// What the work settled: nodes.
 struct PassCounts {
-    std::size_t approximate = 0;  // nodes of the pass with all features
-    std::size_t features = 0;     // nodes of all passes with one
+    std::size_t features = 0;  // of all passes with one feature
+    std::size_t recalled = 0;  // of them those that were known from an earlier run
 };
 
-// Rusnell 2009, Algorithm 3, steps 5 and 6: costs by node, above sea level where no
-// feature comes.
-std::vector<float> approximate_costs(const Ground& ground, const BlendOptions& options);
+// Who looks on. Either may be null.
+struct Onlookers {
+    PassMemory* memory = nullptr;
+    class Explainer* explainer = nullptr;
+};
 
-// Algorithm 3, step 7: heights above sea level, in metres, from the approximate costs.
-// They do not depend on the number of threads.
-Field<float> blended_heights(const Ground& ground, const BlendOptions& options,
-                             const std::vector<float>& approximate_costs,
-                             Progress& progress, PassCounts* counts = nullptr);
+// Rusnell 2009, Algorithm 3, step 7: heights above sea level, in metres, from the
+// approximate ones. They depend neither on the number of threads nor on what is
+// remembered.
+Field<float> blended_heights(const Ground& ground, const Halting& halting,
+                             const BlendOptions& options,
+                             const std::vector<float>& approximate, Progress& progress,
+                             const Onlookers& onlookers = {},
+                             PassCounts* counts = nullptr);
 
-// Step 6 alone: the highest feature of every place, with seams between them.
-Field<float> approximate_heights(const Ground& ground,
-                                 const std::vector<float>& approximate_costs);
+// Values by node, of the graph's samples.
+Field<float> by_sample(const Graph& graph, const std::vector<float>& values);
 
 // Bytes that blended_heights takes for a graph of this size, besides the graph.
 double blend_bytes(double cells);

@@ -122,16 +122,33 @@ Shapes shapes_of(const Options& options, const Features& features, const Regions
     return shapes;
 }
 
-BlendOptions blend_of(const Options& options, const Terrain& terrain) {
-    BlendOptions blend{options.blending_bias,
-                       {},
-                       options.sea_level_threshold.in(terrain.width()),
-                       options.approximate_threshold};
+Halting halting_of(const Options& options, double width) {
+    return {static_cast<float>(options.sea_level_threshold.in(width)),
+            static_cast<float>(options.approximate_threshold)};
+}
+
+BlendOptions blend_of(const Options& options, const Graph& graph) {
+    BlendOptions blend{options.blending_bias, {}};
     if (options.blending_bias_map) {
-        blend.bias_map = map_values(*options.blending_bias_map, terrain.heights.width(),
-                                    terrain.heights.height());
+        blend.bias_map =
+            map_values(*options.blending_bias_map, graph.width, graph.height);
     }
     return blend;
+}
+
+// Step 7, with what is remembered from the last run.
+Field<float> blended(const Options& options, const Ground& ground, const Halting& halting,
+                     const std::vector<float>& approximate, const Context& context) {
+    std::optional<PassMemory> memory;
+    if (context.memory) memory.emplace(ground, halting, context.memory->recall());
+    PassCounts counts;
+    Field<float> heights = blended_heights(
+        ground, halting, blend_of(options, ground.graph), approximate, *context.progress,
+        {memory ? &*memory : nullptr, nullptr}, &counts);
+    if (memory && counts.recalled < counts.features) {
+        context.memory->keep(memory->bytes());
+    }
+    return heights;
 }
 
 void lay_over(Field<float>& land, const Field<float>& heights, const Options& options) {
@@ -164,13 +181,13 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     const Regions regions = regions_of(options, graph, features);
     const Shapes shapes = shapes_of(options, features, regions, sea_level, width);
     const Ground ground{graph, features, shapes, regions};
-    const BlendOptions blend = blend_of(options, terrain);
+    const Halting halting = halting_of(options, width);
 
     progress.step("distance: features");
-    const std::vector<float> approximate = approximate_costs(ground, blend);
+    const std::vector<float> approximate = approximate_heights(ground, halting);
     lay_over(result.heights,
-             options.preview ? approximate_heights(ground, approximate)
-                             : blended_heights(ground, blend, approximate, progress),
+             options.preview ? by_sample(graph, approximate)
+                             : blended(options, ground, halting, approximate, context),
              options);
     lay_water(result, options, graph);
     return result;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "synth/distance/passes.h"
+
+namespace cydonia::distance {
+
+// The passes of a run, kept for the next: a stroke that changes then costs little more
+// than itself. A feature's pass is the same again when nothing under it changed - edges,
+// profiles, sea level, thresholds, its own generators - and every place where it went on
+// or stopped is still one where it does. (Rusnell 2009, section 6.2, iterative
+// refinement.)
+class PassMemory {
+  public:
+    // `bytes` of an earlier run, or none; those that are damaged or of another ground
+    // count as none.
+    PassMemory(const Ground& ground, const Halting& halting, std::string bytes);
+
+    // The pass that pass_of() would find, if it is known. Thread-safe.
+    std::optional<Pass> recalled(int feature, std::span<const float> approximate) const;
+    // In the order of features.
+    void keep(int feature, const Pass& pass, std::span<const float> approximate);
+    // For the next run; empty when there is too much to keep.
+    std::string bytes() const;
+
+  private:
+    void index_known();
+    std::uint64_t key_of(int feature) const;
+
+    const Ground& ground_;
+    Halting halting_;
+    std::uint64_t ground_key_;
+    std::string known_bytes_;
+    std::map<std::uint64_t, std::string_view>
+        known_;  // by feature's key, in known_bytes_
+    std::string kept_;
+    bool overflowed_ = false;
+};
+
+}  // namespace cydonia::distance

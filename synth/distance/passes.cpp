@@ -1,0 +1,98 @@
+// B. Rusnell, "Distance-based terrain synthesis" (2009), Algorithm 3, steps 5 to 7a.
+
+#include "synth/distance/passes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cydonia::distance {
+namespace {
+
+// Calls use(growth) with the growth of cost from some of the starts: `first` on.
+template <class Use>
+void with_growth(const Ground& ground, std::span<const Start> starts, int first,
+                 const Use& use) {
+    const Shapes& shapes = ground.shapes;
+    if (shapes.raw()) return use(RawGrowth{starts});
+    if (shapes.plain()) return use(ProfileGrowth(shapes, starts, first));
+    use(ChangingGrowth(ground.graph, shapes, starts, first));
+}
+
+// The starts of some groups, a bit each, as a ground of their own.
+struct Part {
+    Features features;
+    Shapes shapes;
+};
+
+Part part_of(const Ground& ground, std::uint64_t groups) {
+    Part part{{}, ground.shapes};
+    part.shapes.ways.clear();
+    part.shapes.other_ways.clear();
+    part.shapes.sides.clear();
+    const auto keep = [](const auto& from, auto& to, int i) {
+        if (!from.empty()) to.push_back(from[i]);
+    };
+    const Features& all = ground.features;
+    for (int f = 0; f < all.count(); ++f) {
+        if (!(groups >> all.features[f].group & 1)) continue;
+        for (int i = all.first[f]; i < all.first[f + 1]; ++i) {
+            part.features.starts.push_back(all.starts[i]);
+            keep(ground.shapes.ways, part.shapes.ways, i);
+            keep(ground.shapes.other_ways, part.shapes.other_ways, i);
+            keep(ground.shapes.sides, part.shapes.sides, i);
+        }
+    }
+    return part;
+}
+
+void spread_all(const Ground& ground, const Halting& halting, LeastCost& paths) {
+    const std::span<const Start> starts = ground.features.starts;
+    with_growth(ground, starts, 0, [&](const auto& growth) {
+        paths.spread(starts, growth, [&](int, float cost) {
+            return !halting.at_sea(height_of(cost, ground.shapes));
+        });
+    });
+}
+
+}  // namespace
+
+std::vector<float> approximate_heights(const Ground& ground, const Halting& halting) {
+    LeastCost paths(ground.graph);
+    spread_all(ground, halting, paths);
+    std::vector<float> heights(static_cast<std::size_t>(ground.graph.nodes()));
+    for (int node : paths.settled()) {
+        heights[node] = height_of(paths[node].cost, ground.shapes);
+    }
+    const Regions& regions = ground.regions;
+    for (std::size_t i = 0; i < regions.open_to.size(); ++i) {
+        if (regions.open_to[i] == 0) continue;
+        const Part part = part_of(ground, regions.open_to[i]);
+        spread_all({ground.graph, part.features, part.shapes, regions}, halting, paths);
+        for (std::size_t node = 0; node < heights.size(); ++node) {
+            if (regions.closed[node] == 0.0f || regions.closed_by[node] != i) continue;
+            const float cost = paths[static_cast<int>(node)].cost;
+            heights[node] = std::lerp(heights[node], height_of(cost, ground.shapes),
+                                      regions.closed[node]);
+        }
+    }
+    return heights;
+}
+
+Pass pass_of(int feature, const Ground& ground, const Halting& halting,
+             std::span<const float> approximate, LeastCost& paths) {
+    const std::span<const Start> starts = ground.features.of(feature);
+    const auto expand = [&](int node, float cost) {
+        return halting.goes_on(height_of(cost, ground.shapes), approximate[node]);
+    };
+    with_growth(ground, starts, ground.features.first[feature],
+                [&](const auto& growth) { paths.spread(starts, growth, expand); });
+    Pass pass;
+    pass.nodes.assign(paths.settled().begin(), paths.settled().end());
+    pass.heights.reserve(pass.nodes.size());
+    for (int node : pass.nodes) {
+        pass.heights.push_back(height_of(paths[node].cost, ground.shapes));
+    }
+    return pass;
+}
+
+}  // namespace cydonia::distance

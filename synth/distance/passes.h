@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "synth/distance/features.h"
+#include "synth/distance/growth.h"
+#include "synth/distance/regions.h"
+
+namespace cydonia::distance {
+
+// Everything that passes run over. All starts cost less than sea level.
+struct Ground {
+    const Graph& graph;
+    const Features& features;
+    const Shapes& shapes;
+    const Regions& regions;
+};
+
+// Where a feature's pass ends, as heights (notes.md, Rusnell 5).
+struct Halting {
+    float sea_level_threshold = 5.0f;     // epsilon_s, metres
+    float approximate_threshold = 0.05f;  // p_f
+
+    bool at_sea(float height) const { return !(height > sea_level_threshold); }
+    bool far_below(float height, float approximate) const {
+        return !(height > approximate_threshold * approximate);
+    }
+    bool goes_on(float height, float approximate) const {
+        return !at_sea(height) && !far_below(height, approximate);
+    }
+};
+
+// Rusnell 2009, eq. 3.2: metres above sea level; not below it.
+inline float height_of(float cost, const Shapes& shapes) {
+    return std::max(0.0f, static_cast<float>(shapes.sea_level) - cost);
+}
+
+// Rusnell 2009, Algorithm 3, steps 5 and 6: the height of the highest feature by node, 0
+// where none comes. Where a region is open to some groups only, those alone.
+std::vector<float> approximate_heights(const Ground& ground, const Halting& halting);
+
+// What a feature's own pass reached, in no order.
+struct Pass {
+    std::vector<int> nodes;
+    std::vector<float> heights;
+};
+
+// Step 7a.
+Pass pass_of(int feature, const Ground& ground, const Halting& halting,
+             std::span<const float> approximate, LeastCost& paths);
+
+}  // namespace cydonia::distance
