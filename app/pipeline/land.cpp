@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/pipeline/cache.h"
+#include "field/files.h"
 #include "field/quantise.h"
 #include "field/random.h"
 #include "render/shadow/caster.h"
@@ -25,6 +26,21 @@ int samples_across(double metres, double spacing) {
 Field<std::uint8_t> cast(const Terrain& terrain, const Sun& sun, int rays) {
     const Field<float> heights = heights_of(quantised(terrain.heights));
     return render::Caster(heights, terrain.spacing).shadow(sun, rays);
+}
+
+// A stage's memory of its last run: one file, replaced each time.
+Memory memory_in(const fs::path& file) {
+    constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+    return {[file] {
+                std::error_code none;
+                const std::uintmax_t size = fs::file_size(file, none);
+                if (none || size > kMostBytes) return std::string();
+                return read_text(file, kMostBytes);
+            },
+            [file](const std::string& bytes) {
+                make_folder(file.parent_path());
+                write_text(file, bytes);
+            }};
 }
 
 std::uint64_t seed_of_stage(const config::SceneSpec& spec, int stage) {
@@ -67,8 +83,12 @@ Terrain Land::made(int stage) {
     if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}, {}};
     if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
     const config::StageSpec& spec = spec_.stages[static_cast<std::size_t>(stage - 1)];
+    const Memory memory = memory_in(cache_ / fmt::format("stage-{}.passes", stage));
     Terrain terrain = run(spec.options, after(stage - 1),
-                          {seed_of_stage(spec_, stage - 1), cast, &progress_});
+                          {.seed = seed_of_stage(spec_, stage - 1),
+                           .cast = cast,
+                           .progress = &progress_,
+                           .memory = &memory});
     store_terrain(cached(stage), terrain);
     prune_terrains(cache_, kCacheBytes);
     return terrain;

@@ -35,7 +35,8 @@ struct Reading {
 };
 
 // The middle of the dark line in each column, weighted by how dark it is: a smooth line
-// is placed finer than its pixels. Light greys are paper.
+// is placed finer than its pixels. Light greys are paper. The columns in which the line
+// begins and ends have a corner of it only, whose middle lies elsewhere.
 Reading traced(const Source& source, const std::string& what) {
     Reading reading{.points = {},
                     .lines = {},
@@ -43,6 +44,7 @@ Reading traced(const Source& source, const std::string& what) {
                     .unit = " pixels"};
     const Field<float> image =
         is_svg(source) ? read_grey_at(source, kSvgPixels, kSvgPixels) : read_grey(source);
+    std::vector<double> weights;
     for (int x = 0; x < image.width(); ++x) {
         double sum = 0.0, weight = 0.0;
         for (int y = 0; y < image.height(); ++y) {
@@ -50,7 +52,17 @@ Reading traced(const Source& source, const std::string& what) {
             sum += dark * y;
             weight += dark;
         }
-        if (weight > 0.0) reading.points.push_back({1.0 * x, -sum / weight});
+        if (weight <= 0.0) continue;
+        reading.points.push_back({1.0 * x, -sum / weight});
+        weights.push_back(weight);
+    }
+    while (weights.size() > 2 && weights.back() < 0.5 * weights[weights.size() - 2]) {
+        weights.pop_back();
+        reading.points.pop_back();
+    }
+    while (weights.size() > 2 && weights.front() < 0.5 * weights[1]) {
+        weights.erase(weights.begin());
+        reading.points.erase(reading.points.begin());
     }
     if (reading.points.size() < 2) {
         throw bad_request(
