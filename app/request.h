@@ -18,6 +18,7 @@ struct Request {
     bool quiet = false;
     bool force = false;    // goes on after a check that fell short
     bool dry_run = false;  // prints the plan only
+    bool first_camera_only = false;
 };
 
 // How far to go; each goal includes those before it.

@@ -32,6 +32,8 @@ Field<float> read_exr(const std::filesystem::path& path, Metadata* metadata = nu
 void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey);
 void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey);
 void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb);
+// A JPEG's bytes, for pages to look at; quality 1 to 100.
+std::string jpeg_of(const Field<Rgb8>& rgb, int quality);
 void write_exr(const std::filesystem::path& path, const Field<float>& values,
                const std::string& channel, const Metadata& metadata = {});
 // Which light the red, green and blue of an EXR stand for. Rec.709 is what an unlabelled

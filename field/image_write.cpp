@@ -17,17 +17,23 @@ constexpr float kAcesCgChromaticities[8] = {0.713f, 0.293f, 0.165f,   0.830f,
 
 // Encoded in memory, so that only write_text meets the disk: OpenImageIO does not notice
 // every write that fails.
-void write_image(const std::filesystem::path& path, const char* format,
-                 const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
+std::string encoded(const std::string& name, const char* format,
+                    const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                    const void* values) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(format);
-    if (!output) throw failure("cannot write {}: {}", path.string(), OIIO::geterror());
+    if (!output) throw failure("cannot write {}: {}", name, OIIO::geterror());
     output->set_ioproxy(&memory);
-    if (!output->open(path.string(), spec) || !output->write_image(type, values) ||
+    if (!output->open(name, spec) || !output->write_image(type, values) ||
         !output->close())
-        throw failure("cannot write {}: {}", path.string(), output->geterror());
-    write_text(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        throw failure("cannot write {}: {}", name, output->geterror());
+    return {bytes.begin(), bytes.end()};
+}
+
+void write_image(const std::filesystem::path& path, const char* format,
+                 const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
+    write_text(path, encoded(path.string(), format, spec, type, values));
 }
 
 template <class T>
@@ -60,6 +66,13 @@ void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& gr
 
 void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb) {
     write_png_of(path, rgb, 3, OIIO::TypeUInt8, "sRGB");
+}
+
+std::string jpeg_of(const Field<Rgb8>& rgb, int quality) {
+    OIIO::ImageSpec spec(rgb.width(), rgb.height(), 3, OIIO::TypeUInt8);
+    spec["oiio:ColorSpace"] = "sRGB";
+    spec["Compression"] = fmt::format("jpeg:{}", quality);
+    return encoded("picture.jpg", "jpeg", spec, OIIO::TypeUInt8, rgb.data());
 }
 
 void write_exr(const std::filesystem::path& path, const Field<float>& values,

@@ -32,14 +32,14 @@ using Canvas = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
 
 // Calls act(&error) and turns what it reports into a bad_request.
 template <class Act>
-auto checked(const Source& source, const Act& act) {
+auto checked(const std::string& name, const Act& act) {
     GError* error = nullptr;
     const auto result = act(&error);
     if (result) return result;
     const std::unique_ptr<GError, Free<g_error_free>> owned(error);
     std::string reason = error ? error->message : "not an SVG drawing";
     reason.erase(reason.find_last_not_of(" \n") + 1);  // libxml ends with empty lines
-    throw bad_request("{}: {}", source.path.string(), reason);
+    throw bad_request("{}: {}", name, reason);
 }
 
 // Magnified text makes Pango complain, on the terminal, of font sizes that only its
@@ -54,13 +54,13 @@ void silence_glib() {
 }
 
 // Loaded without a base address, so that librsvg follows no reference to another file.
-Handle opened(const Source& source, const std::string& text, SvgEdges edges) {
+Handle opened(const std::string& name, const std::string& text, SvgEdges edges) {
     const auto* bytes = reinterpret_cast<const guint8*>(text.data());
-    Handle handle(checked(source, [&](GError** error) {
+    Handle handle(checked(name, [&](GError** error) {
         return rsvg_handle_new_from_data(bytes, text.size(), error);
     }));
     if (edges == SvgEdges::kCrisp)
-        checked(source, [&](GError** error) {
+        checked(name, [&](GError** error) {
             return rsvg_handle_set_stylesheet(
                 handle.get(), reinterpret_cast<const guint8*>(kCrispStyle.data()),
                 kCrispStyle.size(), error);
@@ -124,20 +124,26 @@ bool is_svg(const Source& source) {
 }
 
 Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges) {
+    return drawn_svg(source.path.string(), read_text(source.path, kLargestSvg), width,
+                     height, edges);
+}
+
+Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int width,
+                       int height, SvgEdges edges) {
     silence_glib();
-    const Handle handle = opened(source, read_text(source.path, kLargestSvg), edges);
+    const Handle handle = opened(name, text, edges);
     const RsvgRectangle page = page_of(handle.get(), width, height);
     if (!(page.width > 0.0 && page.height > 0.0))
-        throw bad_request("{}: the drawing has no size", source.path.string());
+        throw bad_request("{}: the drawing has no size", name);
 
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
     const Canvas canvas(cairo_create(surface.get()));
     cairo_scale(canvas.get(), width / page.width, height / page.height);
-    checked(source, [&](GError** error) {
+    checked(name, [&](GError** error) {
         return rsvg_handle_render_document(handle.get(), canvas.get(), &page, error);
     });
     if (const cairo_status_t status = cairo_status(canvas.get()))
-        throw bad_request("{}: {}", source.path.string(), cairo_status_to_string(status));
+        throw bad_request("{}: {}", name, cairo_status_to_string(status));
     return pixels_of(surface.get());
 }
 

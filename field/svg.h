@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 
 #include "field/field.h"
 #include "field/image.h"
@@ -17,5 +17,8 @@ enum class SvgEdges { kCrisp, kSmooth };
 // The drawing stretched to width x height pixels, transparent where nothing is drawn, not
 // premultiplied. Files it refers to are not opened. Throws bad_request.
 Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges);
+// The same of a drawing's text; messages call it `name`.
+Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int width,
+                       int height, SvgEdges edges);
 
 }  // namespace cydonia

@@ -24,6 +24,7 @@ void add_check(CLI::App& app, Action& action);
 void add_emit(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
+void add_gallery(CLI::App& app, Action& action);
 
 struct Help {
     std::string name;
@@ -40,6 +41,8 @@ void add_making_command(CLI::App& app, Action& action, const Help& help,
 CLI::App* add_command(CLI::App& app, const Help& help);
 CLI::Option* add_scene(CLI::App& command, Request& request);
 void add_making_options(CLI::App& command, Request& request);
+// --quality and --threads, which are two of them.
+void add_effort_options(CLI::App& command, Request& request);
 
 // How help is printed, by the program and its subcommands.
 void format_plainly(CLI::App& app);

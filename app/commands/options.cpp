@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
@@ -51,7 +53,7 @@ CLI::Option* add_scene(CLI::App& command, Request& request) {
     return command.add_option("SCENE", request.scene, "the scene file")->type_name("");
 }
 
-void add_making_options(CLI::App& command, Request& request) {
+void add_effort_options(CLI::App& command, Request& request) {
     using render::Quality;
     static const std::map<std::string, Quality> kQualities = {
         {"draft", Quality::kDraft},
@@ -61,16 +63,21 @@ void add_making_options(CLI::App& command, Request& request) {
         request.quality = kQualities.at(name);
     };
 
-    command.add_option("-o", request.output, "output folder [out/<scene>]")
-        ->type_name("DIR");
     command
-        .add_option_function<std::string>("--quality", take,
-                                          "draft, preview or final [preview]")
+        .add_option_function<std::string>(
+            "--quality", take,
+            fmt::format("draft, preview or final [{}]", name_of(request.quality)))
         ->check(CLI::IsMember(kQualities).description(""))
         ->type_name("NAME");
     command.add_option("--threads", request.threads, "use at most N threads [all]")
         ->check(CLI::Range(1, 1024).description(""))
         ->type_name("N");
+}
+
+void add_making_options(CLI::App& command, Request& request) {
+    command.add_option("-o", request.output, "output folder [out/<scene>]")
+        ->type_name("DIR");
+    add_effort_options(command, request);
     command.add_flag("--force", request.force, "go on when the shadow check falls short");
     command.add_flag("--dry-run", request.dry_run,
                      "print the plan, what is done and predicted memory only");

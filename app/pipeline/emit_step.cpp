@@ -42,7 +42,7 @@ std::vector<std::string> in_pov(std::vector<std::string> names) {
 Made emit_assets(Job& job) {
     make_folder(job.folder / "pov");
     return {in_pov(render::write_pov_assets(job.folder / "pov", job.land.finished(),
-                                            job.spec.render))};
+                                            job.spec.render, job.request.quality))};
 }
 
 Made emit_shot(Job& job, const render::CameraOptions& camera) {

@@ -26,7 +26,10 @@ Job::Job(const Request& asked, Progress& sink)
       program(open_source("/proc/self/exe").hash) {}
 
 std::vector<render::CameraOptions> Job::cameras() const {
-    return spec.render.cameras.empty() ? render::default_cameras() : spec.render.cameras;
+    std::vector<render::CameraOptions> all =
+        spec.render.cameras.empty() ? render::default_cameras() : spec.render.cameras;
+    if (request.first_camera_only) all.resize(1);
+    return all;
 }
 
 Metadata Job::metadata() const {

@@ -32,7 +32,7 @@ struct Job {
         return static_cast<std::uint64_t>(land.width()) *
                static_cast<std::uint64_t>(land.height());
     }
-    std::vector<render::CameraOptions> cameras() const;
+    std::vector<render::CameraOptions> cameras() const;  // asked for; at least one
     Metadata metadata() const;  // for the headers of what we write
 };
 

@@ -111,11 +111,10 @@ bool will_trace(const std::vector<PlannedStep>& plan) {
     });
 }
 
-void make_here(const Request& request, Goal goal, Console& console) {
-    Job job(request, console);
+void make_here(Job& job, Goal goal) {
     const std::vector<Step> steps = steps_of(job);
     const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
-    if (request.dry_run) return print_plan(plan, job);
+    if (job.request.dry_run) return print_plan(plan, job);
 
     // Whatever can be refused is refused before any work begins.
     memory::refuse_unless_it_fits(predicted_peak(plan), memory::available());
@@ -130,14 +129,25 @@ void make_here(const Request& request, Goal goal, Console& console) {
         throw;
     }
     write_manifest(steps, job);
-    console.finish();
-    console.note(fmt::format("in {}", job.folder.string()));
 }
 
 }  // namespace
 
+void make(const Request& request, Goal goal, Progress& progress) {
+    with_threads(request.threads, [&] {
+        Job job(request, progress);
+        make_here(job, goal);
+    });
+}
+
 void make(const Request& request, Goal goal, Console& console) {
-    with_threads(request.threads, [&] { make_here(request, goal, console); });
+    with_threads(request.threads, [&] {
+        Job job(request, console);
+        make_here(job, goal);
+        if (request.dry_run) return;
+        console.finish();
+        console.note(fmt::format("in {}", job.folder.string()));
+    });
 }
 
 }  // namespace cydonia

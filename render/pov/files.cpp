@@ -6,6 +6,7 @@
 
 #include "field/error.h"
 #include "field/files.h"
+#include "field/parallel.h"
 #include "render/ground/ground.h"
 #include "render/pov/scene.h"
 #include "render/sky/sky.h"
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestGround = 4096, kFinestGround = 4;  // pixels a side; a cell
+constexpr int kLongestGround = 4096;  // pixels a side
 constexpr int kDomeHeight = 256;
 
 std::uint8_t srgb8(float linear) {
@@ -27,8 +28,10 @@ std::uint8_t srgb8(float linear) {
 
 Field<Rgb8> srgb(const Field<Rgb>& linear) {
     Field<Rgb8> result(linear.width(), linear.height());
-    for (std::size_t i = 0; i < linear.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) result[i][c] = srgb8(linear[i][c]);
+    parallel_for(linear.height(), 8, [&](int y) {
+        for (int x = 0; x < linear.width(); ++x)
+            for (std::size_t c = 0; c < 3; ++c) result(x, y)[c] = srgb8(linear(x, y)[c]);
+    });
     return result;
 }
 
@@ -41,9 +44,10 @@ Field<std::uint16_t> levels_of(const Field<float>& share) {
     return result;
 }
 
-int ground_detail(const Field<float>& heights) {
+// Pixels a cell; a draft's frame is a third as large.
+int ground_detail(const Field<float>& heights, Quality quality) {
     const int longest = std::max(heights.width(), heights.height());
-    return std::clamp(kLongestGround / longest, 1, kFinestGround);
+    return std::clamp(kLongestGround / longest, 1, quality == Quality::kDraft ? 2 : 4);
 }
 
 const char* antialiasing(Quality quality) {
@@ -77,10 +81,11 @@ Pause_When_Done=Off
 }  // namespace
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
-                                          const Options& options) {
+                                          const Options& options, Quality quality) {
     write_png(folder / "heights.png", quantised(terrain.heights).levels);
-    write_png(folder / "ground.png", srgb(ground_albedo(terrain, options.ground,
-                                                        ground_detail(terrain.heights))));
+    write_png(folder / "ground.png",
+              srgb(ground_albedo(terrain, options.ground,
+                                 ground_detail(terrain.heights, quality))));
     write_png(folder / "sky_visibility.png",
               levels_of(sky_visibility(terrain.heights, terrain.spacing)));
     return {"heights.png", "ground.png", "sky_visibility.png"};
