@@ -1,5 +1,6 @@
 #include "synth/distance/profile.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -463,6 +464,23 @@ TEST(Curve, OfADrawingIsFinerThanItsPixels) {
     const std::vector<CurvePoint> points = points_of(picture.curve(), "");
     for (std::size_t i = 2; i + 2 < points.size(); ++i) {
         EXPECT_NEAR(points[i].f, -99.5 - 0.1 * (points[i].x + 0.5), 0.15) << points[i].x;
+    }
+}
+
+TEST(Curve, OfADrawingLeavesOutTheCornersOfItsEnds) {
+    for (const char* cap : {"butt", "round", "square"}) {
+        for (const int width : {2, 4, 8}) {
+            const Picture picture(fmt::format(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 512 512'>"
+                "<path d='M20 10 L200 400' stroke='black' stroke-width='{}' "
+                "stroke-linecap='{}' fill='none'/></svg>",
+                width, cap));
+            const auto points = falling_points_of(picture.curve(), "profile a");
+            EXPECT_NEAR(points.front().x, 20.0, 4.0) << cap << width;
+            EXPECT_NEAR(points.front().f, -10.0, 4.0) << cap << width;
+            EXPECT_NEAR(points.back().x, 200.0, 4.0) << cap << width;
+            EXPECT_NEAR(points.back().f, -400.0, 4.0) << cap << width;
+        }
     }
 }
 
