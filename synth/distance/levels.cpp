@@ -92,7 +92,6 @@ Shape shape_where(const Field<float>& costs, const Field<float>& land, const Sit
     shape.pitch = static_cast<float>(site.layout().spacing);
     shape.places = cells_where(costs, site.layout(), site, cost, is_in);
     shape.land = cells_where(land, site.graph, site, cost, is_in);
-    if (!shape.places.empty()) link_to_nearest(shape);
     return shape;
 }
 
@@ -161,6 +160,7 @@ std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Sit
         throw bad_request("group '{}': no ground lies {} m from the strokes of {}", group,
                           distance, lip.image.name());
     }
+    link_to_nearest(shape);
     return {std::move(shape)};
 }
 

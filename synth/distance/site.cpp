@@ -49,8 +49,8 @@ int node_at(const Graph& graph, double x, double y) {
 std::uint64_t key_of(const std::string& name) { return key(name.c_str()); }
 
 void append_line(std::vector<Place>& line, const Place& a, const Place& b, double step) {
-    const double distance = std::hypot(b.x - a.x, b.y - a.y);
-    const int parts = std::max(1, static_cast<int>(std::ceil(distance / step)));
+    const double longer = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+    const int parts = std::max(1, static_cast<int>(std::ceil(longer / step - 1e-3)));
     for (int i = 1; i <= parts; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(parts);
         line.push_back({std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t),

@@ -66,7 +66,8 @@ int node_at(const Graph& graph, double x, double y);
 
 std::uint64_t key_of(const std::string& name);
 
-// Appends the line from `a` to `b`, without `a`, in steps no longer than `step`.
+// Appends the line from `a` to `b`, without `a`, in steps no longer than `step` each way:
+// of nodes `step` apart it leaves out none.
 void append_line(std::vector<Place>& line, const Place& a, const Place& b, double step);
 
 // Places by where they are.
