@@ -97,6 +97,7 @@ TEST_F(DistanceStage, RegionsAndWater) {
     const Options plain = stage(kLeastScene + "water = [{ image = 'ridges.svg' }]\n");
     EXPECT_EQ(plain.water.at(0).level, Length{});
     EXPECT_EQ(plain.water.at(0).bed, "bowl");
+    EXPECT_EQ(plain.profiles.at(0).name, "bowl");
 }
 
 TEST_F(DistanceStage, ShippedProfilesFollowTheStagesOwn) {
