@@ -13,7 +13,7 @@ using namespace cydonia;
 namespace {
 
 Terrain small_land() {
-    Terrain land{Field<float>(5, 3, 12.5f), 20.0, {}, {}};
+    Terrain land{Field<float>(5, 3, 12.5f), 20.0, {}, {}, {}};
     land.heights(4, 2) = -1.0f;
     land.masks["sea"] = Field<float>(5, 3, 0.25f);
     ShadowImage image{"text", Field<std::uint8_t>(5, 3, 1), {1.0, 0.5}, 0.9};

@@ -52,7 +52,8 @@ int line_count(const std::string& text, const std::string& word) {
 TEST_F(Interrupt, DuringSynthesis) {
     const std::string scene =
         kSmallScene +
-        "[[terrain.stage]]\nmethod = \"distance\"\npeaks = { count = 40 }\n";
+        "[[terrain.stage]]\nmethod = \"distance\"\n[[terrain.stage.group]]\npeaks = { "
+        "count = 40 }\n";
     folder.write("land.toml", scene);
     const std::vector<std::string> synth = {"synth", "land.toml", "--set",
                                             "terrain.samples=1024"};

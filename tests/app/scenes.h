@@ -12,6 +12,7 @@ extent = [1280.0, 1280.0]
 samples = 64
 [[terrain.stage]]
 method = "distance"
+[[terrain.stage.group]]
 peaks = { count = 6 }
 ridges = { count = 8 }
 [[render.camera]]
