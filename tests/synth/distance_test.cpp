@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "field/error.h"
 #include "field/image.h"
 #include "synth/distance/blend.h"
-#include "synth/distance/features.h"
+#include "synth/distance/regions.h"
 
 namespace cydonia::distance {
 namespace {
@@ -31,25 +32,53 @@ Terrain land(const Options& options, const Terrain& ground, std::uint64_t seed =
     return run(options, ground, context);
 }
 
+Options peaks(int count) {
+    Peaks where;
+    where.placement.count = count;
+    Options options;
+    options.groups.resize(1);
+    options.groups[0].name = "peaks";
+    options.groups[0].where = where;
+    return options;
+}
+
+int& count_of(Options& options) {
+    return std::get<Peaks>(options.groups[0].where).placement.count;
+}
+
+// With one profile for all features.
+Options shaped(Options options, std::vector<std::array<double, 2>> points,
+               std::optional<Length> reach = {}) {
+    Profile profile;
+    profile.name = "shape";
+    profile.curve.points = std::move(points);
+    profile.reach = reach;
+    options.profiles = {profile};
+    options.groups[0].profile = {"shape"};
+    return options;
+}
+
+void set_range(Options& options, double low, double high) {
+    options.groups[0].cost.kind = CostRule::Kind::kRandom;
+    options.groups[0].cost.range = {{metres(low), metres(high)}};
+}
+
 // Rusnell 2009, chapter 3's example.
 Options running_example() {
-    Options options;
-    options.peaks.count = 25;
-    options.ridges.count = 38;
+    Options options = peaks(25);
+    options.groups[0].ridges.count = 38;
+    std::vector<std::array<double, 2>> points;
     for (int i = 0; i <= 20; ++i) {
         const double x = i / 20.0;
-        options.profile.points.push_back({130.0 * x, (1.0 - x) * (1.0 - x)});
+        points.push_back({130.0 * x, (1.0 - x) * (1.0 - x)});
     }
-    return options;
+    return shaped(options, points);
 }
 
 // One peak, 200 m above a sea level cost of 300 m, on weights without chance.
 Options one_peak() {
-    Options options;
-    options.peaks.count = 1;
-    options.peaks.cost = {.kind = CostRule::Kind::kRandom,
-                          .noise = {},
-                          .range = {metres(100.0), metres(100.0)}};
+    Options options = peaks(1);
+    set_range(options, 100.0, 100.0);
     options.sea_level_scale = 3.0;
     options.edge_weight_deviation = 0.0;
     options.sea_level_threshold = metres(0.1);
@@ -92,7 +121,7 @@ class Picture {
     std::filesystem::path path_;
 };
 
-constexpr Rgb8 kWhite{255, 255, 255}, kBlack{0, 0, 0}, kRed{255, 0, 0};
+constexpr Rgb8 kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
 TEST(Distance, OnePeakIsAPolygonalCone) {
     for (const auto metric : {Options::Metric::kEuclidean, Options::Metric::kThesis}) {
@@ -118,9 +147,8 @@ TEST(Distance, OnePeakIsAPolygonalCone) {
 }
 
 TEST(Distance, OnePeakShowsItsProfile) {
-    Options options = one_peak();
-    options.profile.points = {{0, 10}, {1, 6}, {3, 2}, {8, 0}};
-    options.profile.reach = metres(1600.0);
+    const Options options =
+        shaped(one_peak(), {{0, 10}, {1, 6}, {3, 2}, {8, 0}}, metres(1600.0));
     const Terrain terrain = land(options, flat(1024, 1024));
     const Cell top = highest_cell(terrain.heights);
     // Eq. 3.6: the whole profile in two thirds of sea level's height and reach.
@@ -145,11 +173,11 @@ TEST(Distance, ProfileDrawnAsAPicture) {
         pixels(x, std::max(0, x - 1)) = kBlack;
     }
     const Picture picture(pixels);
-    Options options = one_peak();
-    options.profile.image = picture.source();
-    const Terrain drawn = land(options, flat(128, 128));
-    options.profile = {.image = {}, .points = {{0, 1}, {100, 0}}, .reach = {}};
+    Options options = shaped(one_peak(), {{0, 1}, {100, 0}});
     const Terrain listed = land(options, flat(128, 128));
+    options.profiles[0].curve.points.clear();
+    options.profiles[0].curve.image = picture.source();
+    const Terrain drawn = land(options, flat(128, 128));
     for (std::size_t i = 0; i < drawn.heights.size(); ++i) {
         ASSERT_NEAR(drawn.heights[i], listed.heights[i], 2.0);
     }
@@ -161,11 +189,7 @@ struct Pair {
         graph_of(80, 60, 10.0, {.mean = 1.0, .deviation = 0.6, .grain = 60.0}, 4);
     Features both;
     std::vector<Field<float>> alone;
-    BlendOptions options{.sea_level = 400.0,
-                         .bias = 0.0,
-                         .sea_level_threshold = 0.0,
-                         .approximate_threshold = 0.0,
-                         .mean_edge_weight = 1.0};
+    BlendOptions options{.bias = 0.0, .bias_map = {}};
 
     Pair() {
         for (const Start start :
@@ -173,14 +197,22 @@ struct Pair {
             Features one;
             one.starts = {start};
             one.first = {0, 1};
+            one.features.resize(1);
             alone.push_back(heights(one));
             both.starts.push_back(start);
             both.first.push_back(static_cast<int>(both.starts.size()));
+            both.features.emplace_back();
         }
     }
     Field<float> heights(const Features& features) const {
+        Shapes shapes;
+        shapes.sea_level = 400.0;
+        const Regions regions;
+        const Ground ground{graph, features, shapes, regions};
+        const Halting never{0.0f, 0.0f};
         SilentProgress silent;
-        return blended_heights(graph, features, nullptr, options, silent);
+        return blended_heights(ground, never, options, approximate_heights(ground, never),
+                               silent);
     }
 };
 
@@ -267,7 +299,7 @@ TEST(Distance, SameLandAtEveryResolution) {
     };
     for (bool drawn : {true, false}) {
         Options options = running_example();
-        if (!drawn) options.profile = {};
+        if (!drawn) options.groups[0].profile.clear();
         const Field<float> coarse = blocks(land(options, flat(256, 256)).heights);
         const Field<float> fine = blocks(land(options, flat(512, 512)).heights);
         double squares = 0.0;
@@ -311,11 +343,11 @@ TEST(SeaLevel, HalfClipsTheLowFeatures) {
 TEST(SeaLevel, AtTheHighestCost) {
     Options options = one_peak();
     options.sea_level_scale = 1.0;
-    options.profile.points = {{0, 1}, {100, 0}};
+    options = shaped(options, {{0, 1}, {100, 0}});
     // The only peak lies at sea level: eq. 3.6 would divide by zero.
     EXPECT_EQ(land(options, flat(32, 32)).heights, Field<float>(32, 32));
-    options.peaks.count = 5;
-    options.peaks.cost.range = {metres(10.0), metres(300.0)};
+    count_of(options) = 5;
+    set_range(options, 10.0, 300.0);
     const Terrain terrain = land(options, flat(64, 64));
     for (float height : terrain.heights) ASSERT_TRUE(std::isfinite(height));
     EXPECT_GT(*std::max_element(terrain.heights.begin(), terrain.heights.end()), 10.0f);
@@ -323,118 +355,8 @@ TEST(SeaLevel, AtTheHighestCost) {
 
 TEST(SeaLevel, AllCostsZero) {
     Options options = one_peak();
-    options.peaks.cost.range = {metres(0.0), metres(0.0)};
+    set_range(options, 0.0, 0.0);
     EXPECT_EQ(land(options, flat(32, 32)).heights, Field<float>(32, 32));
-}
-
-Graph grid(int width, int height) {
-    return graph_of(width, height, 10.0, {.mean = 2.0, .deviation = 1.0}, 1);
-}
-
-TEST(Features, AConnectedPieceOfOneColour) {
-    Field<Rgb8> pixels(12, 8, kWhite);
-    pixels(1, 1) = pixels(2, 2) = pixels(3, 2) = kBlack;  // touching by a corner: one
-    pixels(4, 2) = kRed;                                  // another colour: another
-    pixels(9, 6) = kBlack;                                // apart: another
-    const Picture picture(pixels);
-    Options options;
-    options.strokes = picture.source();
-    const Features features = features_of(options, grid(12, 8), 1);
-    ASSERT_EQ(features.count(), 3);
-    std::vector<std::size_t> sizes;
-    for (int f = 0; f < 3; ++f) sizes.push_back(features.of(f).size());
-    std::sort(sizes.begin(), sizes.end());
-    EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3}));
-}
-
-TEST(Features, LeastNoiseCostIsZero) {
-    Options options;
-    options.peaks.count = 40;
-    const Features features = features_of(options, grid(64, 64), 3);
-    float least = kUnreached, most = 0.0f;
-    for (const Start& start : features.starts) {
-        least = std::min(least, start.cost);
-        most = std::max(most, start.cost);
-    }
-    EXPECT_EQ(least, 0.0f);
-    EXPECT_GT(most, 5.0f);
-}
-
-TEST(Features, RandomCostsLieInTheirRange) {
-    Options options;
-    options.peaks = {.count = 200,
-                     .cost = {.kind = CostRule::Kind::kRandom,
-                              .noise = {},
-                              .range = {metres(20.0), metres(30.0)}}};
-    float least = kUnreached, most = 0.0f;
-    for (const Start& start : features_of(options, grid(64, 64), 3).starts) {
-        least = std::min(least, start.cost);
-        most = std::max(most, start.cost);
-    }
-    EXPECT_TRUE(least >= 20.0f && least < 21.0f && most > 29.0f && most <= 30.0f);
-}
-
-TEST(Features, RidgesExtendTheirPeak) {
-    Options options;
-    options.peaks.count = 4;
-    options.grain = metres(40.0);  // ridges grow on a grid of 10 m, this one
-    const Graph graph = grid(96, 96);
-    const Features peaks = features_of(options, graph, 3);
-    options.ridges = {.count = 12, .cost_factor = 0.25};
-    const Features ridges = features_of(options, graph, 3);
-    ASSERT_EQ(ridges.count(), 4);
-    LeastCost paths(graph);
-    paths.spread(peaks.starts, RawGrowth{peaks.starts});
-    std::size_t nodes = 0;
-    for (int f = 0; f < 4; ++f) {
-        for (const Start& start : ridges.of(f).subspan(1)) {
-            EXPECT_EQ(paths[start.node].origin, f);
-            EXPECT_EQ(start.cost, 0.25f * paths[start.node].cost);
-            ++nodes;
-        }
-    }
-    EXPECT_GT(nodes, 100u);
-}
-
-TEST(Features, RidgesAreWholeOnAFinerGrid) {
-    Options options;
-    options.peaks.count = 1;
-    options.ridges.count = 1;
-    options.grain = metres(40.0);
-    const Graph graph = graph_of(384, 384, 2.5, {}, 1);
-    const Features features = features_of(options, graph, 3);
-    const auto ridge = features.of(0).subspan(1);
-    ASSERT_GT(ridge.size(), 40u);
-    for (std::size_t i = 1; i < ridge.size(); ++i) {
-        const int x = graph.x_of(ridge[i].node) - graph.x_of(ridge[i - 1].node);
-        const int y = graph.y_of(ridge[i].node) - graph.y_of(ridge[i - 1].node);
-        ASSERT_LE(std::max(std::abs(x), std::abs(y)), 1);
-    }
-}
-
-TEST(Features, SamePlacesAtEveryResolution) {
-    Options options;
-    options.peaks.count = 10;
-    const Graph coarse = grid(50, 40), fine = grid(500, 400);
-    const Features a = features_of(options, coarse, 3), b = features_of(options, fine, 3);
-    for (int i = 0; i < 10; ++i) {
-        EXPECT_EQ(coarse.x_of(a.starts[i].node), fine.x_of(b.starts[i].node) / 10);
-        EXPECT_EQ(coarse.y_of(a.starts[i].node), fine.y_of(b.starts[i].node) / 10);
-    }
-}
-
-TEST(DistanceRefuses, NoFeature) {
-    EXPECT_NE(message_of({}).find("no features"), std::string::npos);
-    Options options;
-    options.ridges.count = 5;
-    EXPECT_NE(message_of(options).find("no features"), std::string::npos);
-}
-
-TEST(DistanceRefuses, StrokesWithoutAPixel) {
-    const Picture picture(Field<Rgb8>(8, 8, kWhite));
-    Options options;
-    options.strokes = picture.source();
-    EXPECT_NE(message_of(options), "");
 }
 
 TEST(DistanceRefuses, OptionsOutOfRange) {
@@ -456,8 +378,6 @@ TEST(DistanceRefuses, OptionsOutOfRange) {
         refused([](Options& o) { o.sea_level_scale = 0.0; }).find("sea_level_scale"),
         std::string::npos);
     EXPECT_NE(refused([](Options& o) { o.grain = metres(0.0); }).find("grain"),
-              std::string::npos);
-    EXPECT_NE(refused([](Options& o) { o.peaks.count = 2000; }).find("peaks count"),
               std::string::npos);
 }
 
