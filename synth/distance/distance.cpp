@@ -10,10 +10,8 @@
 
 #include "field/error.h"
 #include "synth/distance/blend.h"
-#include "synth/distance/features.h"
-#include "synth/distance/graph.h"
+#include "synth/distance/layout.h"
 #include "synth/distance/map.h"
-#include "synth/distance/profile.h"
 #include "synth/distance/water.h"
 
 namespace cydonia::distance {
@@ -49,82 +47,6 @@ void check_memory(const Options& options, double cells) {
             "samples",
             needed / 0x1p30, present / 0x1p30);
     }
-}
-
-// Step 3, eq. 3.1.
-double sea_level_of(const Features& features, double scale) {
-    double highest = 0.0;
-    for (const Start& start : features.starts) {
-        highest = std::max(highest, 1.0 * start.cost);
-    }
-    return scale * highest;
-}
-
-// Generators at or above the cost of sea level emit nothing (notes.md, Rusnell 7).
-Features above_sea(const Features& features, double sea_level) {
-    Features kept;
-    for (int f = 0; f < features.count(); ++f) {
-        const std::size_t before = kept.starts.size();
-        for (int i = features.first[f]; i < features.first[f + 1]; ++i) {
-            if (!(features.starts[i].cost < sea_level)) continue;
-            kept.starts.push_back(features.starts[i]);
-            if (!features.sides.empty()) kept.sides.push_back(features.sides[i]);
-        }
-        if (kept.starts.size() == before) continue;
-        kept.first.push_back(static_cast<int>(kept.starts.size()));
-        kept.features.push_back(features.features[f]);
-    }
-    return kept;
-}
-
-// Raw edge weights as a profile, for features without one among others.
-Descent straight_descent(const Options& options, double sea_level, double width) {
-    Profile straight;
-    straight.curve.points = {{0.0, 1.0}, {1.0, 0.0}};
-    straight.reach = metres(sea_level / options.mean_edge_weight);
-    return descent_of(straight, sea_level, options.mean_edge_weight,
-                      options.minimum_scale, width);
-}
-
-// Step 4, and which profile each start and each region has.
-Shapes shapes_of(const Options& options, const Features& features, const Regions& regions,
-                 double sea_level, double width) {
-    Shapes shapes{sea_level, options.mean_edge_weight, {}, {}, {}, {}, {}, {}};
-    const bool shaped = !regions.profile_at.empty() ||
-                        std::ranges::any_of(features.features,
-                                            [](const auto& f) { return f.profile >= 0; });
-    if (!shaped) return shapes;
-
-    shapes.descents = descents_of(options, sea_level, width);
-    const auto raw = static_cast<std::uint8_t>(shapes.descents.size());
-    shapes.descents.push_back(straight_descent(options, sea_level, width));
-    const auto way = [&](int profile) {
-        return profile < 0 ? raw : static_cast<std::uint8_t>(profile);
-    };
-    const bool sides = std::ranges::any_of(
-        features.features, [](const auto& f) { return f.other_side >= 0; });
-    for (int f = 0; f < features.count(); ++f) {
-        const Features::Feature& feature = features.features[f];
-        const std::size_t starts = features.of(f).size();
-        const int other = feature.other_side < 0 ? feature.profile : feature.other_side;
-        shapes.ways.insert(shapes.ways.end(), starts, way(feature.profile));
-        if (sides) shapes.other_ways.insert(shapes.other_ways.end(), starts, way(other));
-    }
-    if (sides) shapes.sides = features.sides;
-    shapes.way_at = regions.profile_at;
-    for (const Region& region : options.regions) {
-        const auto at =
-            std::ranges::find(options.profiles, region.profile, &Profile::name);
-        if (at == options.profiles.end()) continue;
-        shapes.region_ways.push_back(
-            static_cast<std::uint8_t>(at - options.profiles.begin()));
-    }
-    return shapes;
-}
-
-Halting halting_of(const Options& options, double width) {
-    return {static_cast<float>(options.sea_level_threshold.in(width)),
-            static_cast<float>(options.approximate_threshold)};
 }
 
 BlendOptions blend_of(const Options& options, const Graph& graph) {
@@ -165,31 +87,24 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     check(options, terrain);
     check_memory(options, static_cast<double>(terrain.heights.size()));
     Progress& progress = *context.progress;
-    const double width = terrain.width();
 
     progress.step("distance: graph and generators");
-    const Graph graph = graph_of(terrain.heights.width(), terrain.heights.height(),
-                                 terrain.spacing, edges_of(options, width), context.seed);
-    const Features placed = features_of(options, graph, terrain, context.seed);
-    const double sea_level = sea_level_of(placed, options.sea_level_scale);
-    const Features features = above_sea(placed, sea_level);
+    const Layout layout = layout_of(options, terrain, context.seed);
     Terrain result = terrain;
-    if (features.count() == 0) {
+    if (layout.features.count() == 0) {
         progress.warn("distance: every generator lies at sea level, so no land rises");
         return result;
     }
-    const Regions regions = regions_of(options, graph, features);
-    const Shapes shapes = shapes_of(options, features, regions, sea_level, width);
-    const Ground ground{graph, features, shapes, regions};
-    const Halting halting = halting_of(options, width);
+    const Ground ground = layout.ground();
 
     progress.step("distance: features");
-    const std::vector<float> approximate = approximate_heights(ground, halting);
+    const std::vector<float> approximate = approximate_heights(ground, layout.halting);
     lay_over(result.heights,
-             options.preview ? by_sample(graph, approximate)
-                             : blended(options, ground, halting, approximate, context),
+             options.preview
+                 ? by_sample(layout.graph, approximate)
+                 : blended(options, ground, layout.halting, approximate, context),
              options);
-    lay_water(result, options, graph);
+    lay_water(result, options, layout.graph);
     return result;
 }
 
