@@ -16,6 +16,7 @@ namespace {
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMega = 1'000'000;
 constexpr std::uint64_t kProgram = 175 * kMega;  // code, libraries, thread pools
+constexpr std::uint64_t kPasses = 268 * kMega;   // remembered of a stage, at most
 constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
 
 // The first number of a file such as the kernel's accounts; unlimited when there is none
@@ -68,15 +69,18 @@ namespace memory {
 
 std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::uint64_t threads) {
-    struct BytesPerCell {
-        std::uint64_t threads;
-        // Every thread keeps the costs of the feature it is at.
-        std::uint64_t operator()(const distance::Options&) const {
-            return 80 + 25 * threads;
+    struct Bytes {
+        std::uint64_t cells, threads;
+        // Every thread keeps the costs of the feature it is at; the passes of all are
+        // remembered for the next run, up to a bound, once as they grow and once to
+        // write.
+        std::uint64_t operator()(const distance::Options& o) const {
+            const std::uint64_t passes = std::min(kPasses, 200 * cells);
+            return cells * (80 + 25 * threads) + (o.preview ? 0 : 2 * passes);
         }
-        std::uint64_t operator()(const pareidolia::Options&) const { return 160; }
+        std::uint64_t operator()(const pareidolia::Options&) const { return 160 * cells; }
     };
-    return kProgram + cells * std::visit(BytesPerCell{threads}, options);
+    return kProgram + std::visit(Bytes{cells, threads}, options);
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }

@@ -15,6 +15,17 @@ TEST(Memory, GrowsWithTheCells) {
     EXPECT_GT(memory::of_trace(512 * 512, 1920 * 1080), memory::of_trace(512 * 512, 1));
 }
 
+TEST(Memory, RemembersNoPassesOfAPreviewAndNotAllOfALargeOne) {
+    distance::Options options;
+    const auto needed = [&](std::uint64_t cells) {
+        return memory::of_stage(options, cells, 1);
+    };
+    const std::uint64_t small = needed(512 * 512), large = needed(4096 * 4096);
+    options.preview = true;
+    EXPECT_EQ(small - needed(512 * 512), 2 * 200 * 512 * 512u);
+    EXPECT_EQ(large - needed(4096 * 4096), 2 * 268'000'000u);
+}
+
 TEST(Memory, TheMachineHasSome) {
     EXPECT_GT(memory::available(), 1'000'000u);
     EXPECT_LT(memory::available(), 1ull << 50);
