@@ -68,7 +68,7 @@ Field<float> blended(const Options& options, const Ground& ground, const Halting
         ground, halting, blend_of(options, ground.graph), approximate, *context.progress,
         {memory ? &*memory : nullptr, nullptr}, &counts);
     if (memory && counts.recalled < counts.features) {
-        context.memory->keep(memory->bytes());
+        context.memory->keep(memory->taken_bytes());
     }
     return heights;
 }

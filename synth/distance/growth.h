@@ -53,17 +53,17 @@ struct ConstantGrowth {
 struct Shapes {
     static constexpr std::uint8_t kOwn = 255;
 
-    double sea_level = 0.0;          // c_s
-    double mean_edge_weight = 1.0;   // mu_w
-    std::vector<Descent> descents;   // by way; none: raw edge weights
-    std::vector<std::uint8_t> ways;  // the descent of each start
+    double sea_level = 0.0;            // c_s
+    double mean_edge_weight = 1.0;     // mu_w
+    std::vector<Descent> descents{};   // by way; none: raw edge weights
+    std::vector<std::uint8_t> ways{};  // the descent of each start
     // With two sides: the descent beyond each stroke, and the starts' unit vectors into
     // the first side.
-    std::vector<std::uint8_t> other_ways;
-    std::vector<std::array<float, 2>> sides;
+    std::vector<std::uint8_t> other_ways{};
+    std::vector<std::array<float, 2>> sides{};
     // With regions: the descent that holds at each node; kOwn: the feature's.
-    std::vector<std::uint8_t> way_at;
-    std::vector<std::uint8_t> region_ways;  // all that way_at has, but kOwn
+    std::vector<std::uint8_t> way_at{};
+    std::vector<std::uint8_t> region_ways{};  // all that way_at has, but kOwn
 
     bool raw() const { return descents.empty(); }
     bool plain() const { return other_ways.empty() && way_at.empty(); }

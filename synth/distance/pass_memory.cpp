@@ -52,6 +52,9 @@ class Hash {
     std::uint64_t state_ = 0;
 };
 
+// Magic, key of the ground, checksum of what follows.
+constexpr std::size_t kHead = kMagic.size() + 2 * sizeof(std::uint64_t);
+
 // What all passes depend on.
 std::uint64_t key_of_ground(const Ground& ground, const Halting& halting) {
     Hash hash;
@@ -82,7 +85,10 @@ PassMemory::PassMemory(const Ground& ground, const Halting& halting, std::string
     : ground_(ground),
       halting_(halting),
       ground_key_(key_of_ground(ground, halting)),
-      known_bytes_(std::move(bytes)) {
+      known_bytes_(std::move(bytes)),
+      kept_(kMagic) {
+    append(kept_, ground_key_);
+    append(kept_, std::uint64_t{0});
     index_known();
 }
 
@@ -145,7 +151,10 @@ std::optional<Pass> PassMemory::recalled(int feature,
 void PassMemory::keep(int feature, const Pass& pass, std::span<const float> approximate) {
     const std::size_t count = pass.nodes.size();
     overflowed_ = overflowed_ || kept_.size() + count * kBytesANode > kMostBytes;
-    if (overflowed_) return;
+    if (overflowed_) {
+        kept_ = {};
+        return;
+    }
     append(kept_, key_of(feature));
     append(kept_, static_cast<std::uint32_t>(count));
     for (std::size_t i = 0; i < count; ++i) {
@@ -156,12 +165,12 @@ void PassMemory::keep(int feature, const Pass& pass, std::span<const float> appr
     append_all(kept_, pass.heights);
 }
 
-std::string PassMemory::bytes() const {
+std::string PassMemory::taken_bytes() {
     if (overflowed_) return {};
-    std::string bytes(kMagic);
-    append(bytes, ground_key_);
-    append(bytes, XXH3_64bits(kept_.data(), kept_.size()));
-    return bytes + kept_;
+    const std::string_view records = std::string_view(kept_).substr(kHead);
+    const std::uint64_t checksum = XXH3_64bits(records.data(), records.size());
+    std::memcpy(kept_.data() + kHead - sizeof checksum, &checksum, sizeof checksum);
+    return std::move(kept_);
 }
 
 }  // namespace cydonia::distance

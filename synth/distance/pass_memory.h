@@ -26,8 +26,8 @@ class PassMemory {
     std::optional<Pass> recalled(int feature, std::span<const float> approximate) const;
     // In the order of features.
     void keep(int feature, const Pass& pass, std::span<const float> approximate);
-    // For the next run; empty when there is too much to keep.
-    std::string bytes() const;
+    // What was kept, for the next run; empty when it was too much. Once.
+    std::string taken_bytes();
 
   private:
     void index_known();

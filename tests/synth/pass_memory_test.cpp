@@ -25,7 +25,7 @@ Made made(const Options& options, const std::string& remembered) {
     result.heights = blended_heights(ground, layout.halting, {options.blending_bias, {}},
                                      approximate_heights(ground, layout.halting), silent,
                                      {&memory, nullptr}, &result.counts);
-    result.remembered = memory.bytes();
+    result.remembered = memory.taken_bytes();
     return result;
 }
 
