@@ -14,10 +14,10 @@ namespace {
 
 // SVG is drawn finer than the grid, up to this many pixels a side, so that strokes
 // thinner than a cell are seen.
-constexpr int kFinestDrawing = 2048;
+constexpr int kFinestStrokes = 2048, kFinestGrey = 4096;
 
-int pixels_a_cell(int width, int height, int most) {
-    return std::clamp(kFinestDrawing / std::max(width, height), 1, most);
+int pixels_a_cell(int width, int height, int finest, int most) {
+    return std::clamp(finest / std::max(width, height), 1, most);
 }
 
 constexpr Rgba8 kNothing{};
@@ -164,7 +164,7 @@ Field<float> svg_grey(const Source& source, int width, int height) {
 
 Field<Rgba8> read_strokes(const Source& source, int width, int height, Palette palette) {
     assert(width > 0 && height > 0);
-    const int finer = pixels_a_cell(width, height, kFinestDrawing);
+    const int finer = pixels_a_cell(width, height, kFinestStrokes, kFinestStrokes);
     const bool is_drawing = is_svg(source);
     Field<Rgba8> image =
         is_drawing ? read_svg(source, finer * width, finer * height, SvgEdges::kCrisp)
@@ -185,7 +185,7 @@ Field<Rgba8> read_strokes(const Source& source, int width, int height, Palette p
 Field<float> read_grey_at(const Source& source, int width, int height) {
     assert(width > 0 && height > 0);
     if (!is_svg(source)) return resized(read_grey(source), width, height);
-    const int finer = pixels_a_cell(width, height, 4);
+    const int finer = pixels_a_cell(width, height, kFinestGrey, 4);
     return resized(svg_grey(source, finer * width, finer * height), width, height);
 }
 

@@ -8,6 +8,7 @@
 #include "field/error.h"
 #include "field/image.h"
 #include "field/noise.h"
+#include "field/parallel.h"
 #include "field/random.h"
 #include "field/sample.h"
 #include "field/strokes.h"
@@ -18,7 +19,7 @@ namespace cydonia::distance {
 namespace {
 
 using Kind = CostRule::Kind;
-using Range = CostPattern::Range;
+using Range = CostRange;
 
 const double kUsual = thesis_units(20.0).fraction;  // of the width
 
@@ -29,19 +30,27 @@ double noise_cost(const NoiseOptions& noise, const Site& site, double x, double 
                     hash_of({site.seed, key("generator cost")}));
 }
 
-// Over the land, on a lattice that depends on nothing else.
+// Over the land, on a lattice of 256 points along the longer side, which depends on
+// nothing else.
 Range noise_range(const NoiseOptions& noise, const Site& site) {
-    constexpr int kLattice = 256;
-    const double step = std::max(site.width, site.depth) / kLattice;
-    Range range{1e300, -1e300};
-    for (double y = 0.5 * step; y < site.depth; y += step) {
-        for (double x = 0.5 * step; x < site.width; x += step) {
-            const double value = noise_cost(noise, site, x, y);
-            range.least = std::min(range.least, value);
-            range.greatest = std::max(range.greatest, value);
+    const int columns = (site.columns + 3) / 4, rows = (site.rows + 3) / 4;
+    Field<float> values(columns, rows);
+    parallel_for(rows, [&](int y) {
+        for (int x = 0; x < columns; ++x) {
+            values(x, y) = static_cast<float>(noise_cost(noise, site,
+                                                         (x + 0.5) / columns * site.width,
+                                                         (y + 0.5) / rows * site.depth));
         }
+    });
+    const auto [least, greatest] = std::ranges::minmax(values);
+    return {least, greatest};
+}
+
+Range known_noise_range(const NoiseOptions& noise, const Site& site, NoiseRanges& known) {
+    for (const auto& [options, range] : known) {
+        if (options == noise) return range;
     }
-    return range;
+    return known.emplace_back(noise, noise_range(noise, site)).second;
 }
 
 double farthest(const CostRule& rule, const Site& site) {
@@ -68,7 +77,7 @@ void check(const CostRule& rule, const std::string& group, const Site& site) {
 }  // namespace
 
 CostPattern::CostPattern(const CostRule& rule, const std::string& group, const Site& site,
-                         Reference reference, std::uint64_t purpose)
+                         Reference reference, NoiseRanges& noises, std::uint64_t purpose)
     : rule_(rule),
       site_(&site),
       group_(group),
@@ -77,7 +86,7 @@ CostPattern::CostPattern(const CostRule& rule, const std::string& group, const S
     check(rule, group, site);
     switch (rule.kind) {
         case Kind::kNoise:
-            own_ = noise_range(rule.noise, site);
+            own_ = known_noise_range(rule.noise, site, noises);
             break;
         case Kind::kTerrain: {
             const auto [low, high] = std::ranges::minmax(site.terrain.heights);
@@ -96,7 +105,8 @@ CostPattern::CostPattern(const CostRule& rule, const std::string& group, const S
             break;
     }
     for (const CostRule& part : rule.of) {
-        of_.emplace_back(part, group, site, reference_, mix(purpose_ + of_.size() + 1));
+        of_.emplace_back(part, group, site, reference_, noises,
+                         mix(purpose_ + of_.size() + 1));
     }
 }
 
@@ -219,14 +229,15 @@ double CostPattern::at(const Place& place) const {
 }
 
 void set_costs(std::vector<Shape>& shapes, const Group& group, const Site& site,
-               const CostPattern::Reference& reference) {
-    CostPattern pattern(group.cost, group.name, site, reference);
+               const CostPattern::Reference& reference, NoiseRanges& noises) {
+    CostPattern pattern(group.cost, group.name, site, reference, noises);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         pattern.enter(shapes[i], static_cast<int>(i));
         for (std::vector<Place>* places : {&shapes[i].places, &shapes[i].land}) {
-            for (Place& place : *places) {
+            parallel_for(static_cast<int>(places->size()), 256, [&](int p) {
+                Place& place = (*places)[p];
                 place.cost = static_cast<float>(std::max(0.0, pattern.at(place)));
-            }
+            });
         }
     }
 }

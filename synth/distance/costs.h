@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "field/field.h"
@@ -11,6 +12,13 @@
 #include "synth/distance/site.h"
 
 namespace cydonia::distance {
+
+struct CostRange {
+    double least = 0.0, greatest = 1.0;
+};
+
+// What noises have over the land, once measured.
+using NoiseRanges = std::vector<std::pair<NoiseOptions, CostRange>>;
 
 // C_g(n): a cost rule made ready for one group. Values may be negative: sums have such
 // terms.
@@ -20,23 +28,20 @@ class CostPattern {
     // the group, for a rule that contradicts itself.
     using Reference = std::function<double(const CostRule&, const Shape&)>;
     CostPattern(const CostRule& rule, const std::string& group, const Site& site,
-                Reference reference, std::uint64_t purpose = 0);
+                Reference reference, NoiseRanges& noises, std::uint64_t purpose = 0);
 
     // The i-th feature of the group is what at() is asked about from now on.
     void enter(const Shape& shape, int i);
     double at(const Place& place) const;
 
     // The rule's least and greatest value for the feature: of sums and minima, bounds.
-    struct Range {
-        double least = 0.0, greatest = 1.0;
-    };
-    Range range() const {
+    CostRange range() const {
         return {std::min(ends_[0], ends_[1]), std::max(ends_[0], ends_[1])};
     }
 
   private:
     double raw(const Place& place) const;
-    Range raw_range() const;
+    CostRange raw_range() const;
     double drawn_share(double along) const;
 
     CostRule rule_;
@@ -47,10 +52,10 @@ class CostPattern {
     std::vector<CostPattern> of_;
     Field<float> painted_;
     std::vector<CurvePoint> drawn_;
-    Range own_;  // what the pattern has over the land
+    CostRange own_;  // what the pattern has over the land
 
     // Of the feature entered: the pattern's range, and what its ends become.
-    Range source_;
+    CostRange source_;
     std::array<double, 2> ends_{};
     double random_ = 0.0;
     double begin_ = 0.0, deviation_ = 0.0;  // of the Gaussian, along its azimuth
@@ -59,6 +64,6 @@ class CostPattern {
 
 // Sets the costs of all places, none below 0.
 void set_costs(std::vector<Shape>& shapes, const Group& group, const Site& site,
-               const CostPattern::Reference& reference);
+               const CostPattern::Reference& reference, NoiseRanges& noises);
 
 }  // namespace cydonia::distance

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "field/error.h"
@@ -30,25 +31,105 @@ std::vector<Colour> palette_of(const Options& options, const Source& source) {
     return palette;
 }
 
+// Colours as numbers, which compare fast; 0 is nothing.
+using Colours = Field<std::uint32_t>;
+
+Colours colours_of(const Field<Rgba8>& cells) {
+    Colours colours(cells.width(), cells.height());
+    std::ranges::transform(cells, colours.begin(), std::bit_cast<std::uint32_t, Rgba8>);
+    return colours;
+}
+
+Colour colour_of(std::uint32_t number) {
+    const auto [r, g, b, alpha] = std::bit_cast<Rgba8>(number);
+    return {r, g, b};
+}
+
+// Which place of which shape a cell of the lattice is.
+struct Owner {
+    int shape = -1;
+    int place = 0;
+};
+
+// The cell of this colour nearest to (x, y), among it and its neighbours.
+const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int x, int y,
+                        std::uint32_t colour) {
+    const auto is = [&](int i, int j) {
+        return colours.contains(i, j) && colours(i, j) == colour;
+    };
+    if (is(x, y)) return &owners(x, y);
+    for (const auto [i, j] : {std::array{x - 1, y},
+                              {x + 1, y},
+                              {x, y - 1},
+                              {x, y + 1},
+                              {x - 1, y - 1},
+                              {x + 1, y - 1},
+                              {x - 1, y + 1},
+                              {x + 1, y + 1}}) {
+        if (is(i, j)) return &owners(i, j);
+    }
+    return nullptr;
+}
+
+// The land's own cells of strokes, for a land fine enough to show what the lattice shows.
+void refine(std::vector<Shape*> shapes, const Field<Owner>& owners,
+            const Colours& colours, const Colours& fine, const Site& site) {
+    const Graph& land = site.graph;
+    std::vector<std::vector<Place>> places(shapes.size());
+    for (int y = 0; y < land.height; ++y) {
+        for (int x = 0; x < land.width; ++x) {
+            if (fine(x, y) == 0) continue;
+            Place place = site.centre_of(land, land.node(x, y));
+            const Owner* owner = owner_near(
+                owners, colours, static_cast<int>(place.x / site.width * site.columns),
+                static_cast<int>(place.y / site.depth * site.rows), fine(x, y));
+            if (owner == nullptr) continue;
+            place.root = owner->place;
+            places[owner->shape].push_back(place);
+        }
+    }
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        if (!places[s].empty()) shapes[s]->land = std::move(places[s]);
+    }
+}
+
 }  // namespace
 
 DrawnStrokes::DrawnStrokes(const Site& site) {
     for (const Group& group : site.options.groups) {
         const auto* strokes = std::get_if<Strokes>(&group.where);
         if (strokes == nullptr) continue;
-        const Source& source = strokes->image;
-        const auto is_this = [&](const Picture& p) { return same(p.source, source); };
-        if (std::ranges::any_of(pictures_, is_this)) continue;
-
-        const Field<Rgba8> cells = read_strokes(source, site.columns, site.rows,
-                                                palette_of(site.options, source));
-        Picture& picture = pictures_.emplace_back(Picture{source, {}});
-        for (std::vector<int>& piece : pieces_of(cells, Rgba8{})) {
-            const Rgba8 colour = cells[piece.front()];
-            picture.pieces.push_back(
-                {colour, stretched(std::move(piece), site.columns, site.rows, site)});
-        }
+        const bool known = std::ranges::any_of(pictures_, [&](const Picture& picture) {
+            return same(picture.source, strokes->image);
+        });
+        if (!known)
+            pictures_.push_back({strokes->image, pieces_in(strokes->image, site)});
     }
+}
+
+std::vector<DrawnStrokes::Piece> DrawnStrokes::pieces_in(const Source& source,
+                                                         const Site& site) {
+    const std::vector<Colour> palette = palette_of(site.options, source);
+    const Colours colours =
+        colours_of(read_strokes(source, site.columns, site.rows, palette));
+    const std::vector<std::vector<int>> found = pieces_of(colours, 0u);
+    std::vector<Piece> pieces;
+    Field<Owner> owners(site.columns, site.rows);
+    for (const std::vector<int>& cells : found) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            owners[cells[i]] = {static_cast<int>(pieces.size()), static_cast<int>(i)};
+        }
+        pieces.push_back({colour_of(colours[cells.front()]),
+                          stretched(cells, site.columns, site.rows, site)});
+    }
+    if (site.graph.width >= 2 * site.columns) {
+        std::vector<Shape*> shapes;
+        for (Piece& piece : pieces) shapes.push_back(&piece.shape);
+        const Colours fine = colours_of(
+            read_strokes(source, site.graph.width, site.graph.height, palette));
+        refine(shapes, owners, colours, fine, site);
+    }
+    return pieces;
 }
 
 std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
@@ -57,9 +138,8 @@ std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
         pictures_, [&](const Picture& p) { return same(p.source, strokes.image); });
     std::vector<Shape> shapes;
     for (const Piece& piece : picture->pieces) {
-        const auto [r, g, b, alpha] = piece.colour;
         // A picture with a palette has its colours exactly.
-        if (strokes.colour && *strokes.colour != Colour{r, g, b}) continue;
+        if (strokes.colour && *strokes.colour != piece.colour) continue;
         shapes.push_back(piece.shape);
     }
     if (shapes.empty()) {

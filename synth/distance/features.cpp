@@ -162,11 +162,12 @@ void add_sides(std::vector<Shape>& shapes, const Group& group, const Site& site)
 
 std::vector<PlacedGroup> placed_groups(const Site& site) {
     const DrawnStrokes drawn(site);
+    NoiseRanges noises;
     std::vector<PlacedGroup> groups;
     for (const Group& group : site.options.groups) {
         std::vector<Shape> shapes = shapes_of(group, site, drawn, groups);
         if (!std::holds_alternative<Terraces>(group.where)) {
-            set_costs(shapes, group, site, reference_of(group, site, groups));
+            set_costs(shapes, group, site, reference_of(group, site, groups), noises);
         }
         if (!group.other_side.empty()) add_sides(shapes, group, site);
         groups.push_back({group.name, std::move(shapes)});

@@ -67,7 +67,8 @@ class Room {
           apart_(distance_in(placement.apart, site, name, "apart")),
           own_(std::max(apart_, 1e-3 * site.width)) {
         if (placement.keep_out) {
-            light_ = read_grey_at(*placement.keep_out, site.columns, site.rows);
+            light_ = read_grey_at(*placement.keep_out, (site.columns + 1) / 2,
+                                  (site.rows + 1) / 2);
         }
         for (const Placement::Away& away : placement.away) {
             const double distance =
@@ -98,8 +99,8 @@ class Room {
     };
 
     float light_at(double x, double y) const {
-        return bilinear(light_, x / site_.width * site_.columns - 0.5,
-                        y / site_.depth * site_.rows - 0.5);
+        return bilinear(light_, x / site_.width * light_.width() - 0.5,
+                        y / site_.depth * light_.height() - 0.5);
     }
 
     const Site& site_;

@@ -103,8 +103,7 @@ void check(const Circles& circles, const std::string& group, const Site& site) {
 
 }  // namespace
 
-Shape stretched(std::vector<int> cells, int columns, int rows, const Site& site) {
-    std::sort(cells.begin(), cells.end());
+Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site& site) {
     const double across = site.width / columns, down = site.depth / rows;
     Shape shape;
     shape.pitch = static_cast<float>(std::max(across, down));
@@ -183,8 +182,8 @@ std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
         }
     }
     std::vector<Shape> shapes;
-    for (std::vector<int>& piece : pieces_of(found, std::uint8_t{0})) {
-        shapes.push_back(stretched(std::move(piece), grey.width(), grey.height(), site));
+    for (const std::vector<int>& piece : pieces_of(found, std::uint8_t{0})) {
+        shapes.push_back(stretched(piece, grey.width(), grey.height(), site));
     }
     return shapes;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "field/field.h"
-#include "field/image.h"
 #include "synth/distance/places.h"
 #include "synth/distance/site.h"
 
@@ -24,9 +24,11 @@ class DrawnStrokes {
 
   private:
     struct Piece {
-        Rgba8 colour;
+        std::array<std::uint8_t, 3> colour;
         Shape shape;
     };
+    static std::vector<Piece> pieces_in(const Source& source, const Site& site);
+
     struct Picture {
         Source source;
         std::vector<Piece> pieces;
@@ -53,8 +55,8 @@ std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& g
 // One feature: the nodes within the distance that have a neighbour beyond it.
 std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Site& site);
 
-// The cells of each connected piece of equal values, in reading order; cells that equal
-// `nothing` are in none. Corners connect.
+// The cells of each connected piece of equal values; pieces and cells in reading order.
+// Cells that equal `nothing` are in none. Corners connect.
 template <class T>
 std::vector<std::vector<int>> pieces_of(Field<T> cells, const T& nothing) {
     std::vector<std::vector<int>> pieces;
@@ -73,11 +75,12 @@ std::vector<std::vector<int>> pieces_of(Field<T> cells, const T& nothing) {
                 }
             }
         }
+        std::sort(piece.begin(), piece.end());
     }
     return pieces;
 }
 
 // Cells of a columns x rows picture that is stretched over the land, as a shape.
-Shape stretched(std::vector<int> cells, int columns, int rows, const Site& site);
+Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site& site);
 
 }  // namespace cydonia::distance

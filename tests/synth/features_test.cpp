@@ -134,6 +134,23 @@ void expect_refused(const Options& options, const std::string& words) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
+// Whether ground connected by its sides leads from a node to the land's edge.
+bool leads_out(const Land& land, int feature, int node) {
+    Field<char> seen(land.graph.width, land.graph.height);
+    for (const Start& start : land.features.of(feature)) {
+        seen(land.graph.x_of(start.node), land.graph.y_of(start.node)) = 1;
+    }
+    std::vector<std::array<int, 2>> front{{land.graph.x_of(node), land.graph.y_of(node)}};
+    while (!front.empty()) {
+        const auto [x, y] = front.back();
+        front.pop_back();
+        if (!seen.contains(x, y)) return true;
+        if (std::exchange(seen(x, y), 1)) continue;
+        front.insert(front.end(), {{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}});
+    }
+    return false;
+}
+
 // ---- Strokes
 
 TEST(Strokes, AConnectedPieceOfOneColour) {
@@ -216,6 +233,28 @@ TEST(Strokes, TheSamePiecesAtEveryResolution) {
         for (int f = 0; f < 2; ++f) {
             EXPECT_EQ(land.features.of(f)[0].cost, fine.features.of(f)[0].cost);
         }
+    }
+}
+
+TEST(Strokes, AFinerLandHasThemFiner) {
+    Pictures pictures;
+    const auto ring = [&](const std::string& breadth) {
+        return with({group_of(
+            "ring", Strokes{pictures.svg("<circle cx='256' cy='256' r='100' fill='none' "
+                                         "stroke='#000' stroke-width='" +
+                                         breadth + "'/>"),
+                            {}})});
+    };
+    const Land land(ring("2"), 2048);
+    for (const Start& start : land.features.starts) {
+        const double radius = std::hypot(land.x(start) - 2560.0, land.y(start) - 2560.0);
+        ASSERT_NEAR(radius, 1000.0, 10.0 + 2.0);
+    }
+    // A thin one has no gap at any resolution.
+    for (const int samples : {100, 1200, 2100}) {
+        const Land thin(ring("0.3"), samples);
+        ASSERT_EQ(thin.features.count(), 1);
+        EXPECT_FALSE(leads_out(thin, 0, thin.graph.node(samples / 2, samples / 2)));
     }
 }
 
@@ -341,23 +380,6 @@ TEST(CircleShapes, RoughRimsKeepWithinTheirShare) {
     }
     EXPECT_TRUE(least > 312.0 && least < 370.0) << least;
     EXPECT_TRUE(most < 488.0 && most > 430.0) << most;
-}
-
-// Whether ground connected by its sides leads from a node to the land's edge.
-bool leads_out(const Land& land, int feature, int node) {
-    Field<char> seen(land.graph.width, land.graph.height);
-    for (const Start& start : land.features.of(feature)) {
-        seen(land.graph.x_of(start.node), land.graph.y_of(start.node)) = 1;
-    }
-    std::vector<std::array<int, 2>> front{{land.graph.x_of(node), land.graph.y_of(node)}};
-    while (!front.empty()) {
-        const auto [x, y] = front.back();
-        front.pop_back();
-        if (!seen.contains(x, y)) return true;
-        if (std::exchange(seen(x, y), 1)) continue;
-        front.insert(front.end(), {{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}});
-    }
-    return false;
 }
 
 TEST(CircleShapes, RimsHaveNoGapAtAnyResolution) {
