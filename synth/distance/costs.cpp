@@ -137,7 +137,7 @@ void CostPattern::enter(const Shape& shape, int i) {
         // Rusnell 2009, eq. 4.1
         const double whole =
             rule_.share_of.empty() ? source_.greatest : reference_(rule_, shape);
-        const double reference = whole - rule_.less.in(site_->width);
+        const double reference = std::max(0.0, whole - rule_.less.in(site_->width));
         ends_ = {(*rule_.share)[0] * reference, (*rule_.share)[1] * reference};
     }
 }

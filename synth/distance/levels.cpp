@@ -95,12 +95,17 @@ Shape shape_where(const Field<float>& costs, const Field<float>& land, const Sit
     return shape;
 }
 
-void check(const Terraces& terraces, const std::string& group) {
+void check(const Terraces& terraces, const std::string& group, double width) {
     if (terraces.levels.empty()) {
         throw bad_request("group '{}': terraces without a level", group);
     }
     for (std::size_t i = 0; i < terraces.levels.size(); ++i) {
         const auto [low, high] = terraces.levels[i].range;
+        const double cost = terraces.levels[i].cost.in(width);
+        if (!(cost >= 0.0)) {
+            throw bad_request("group '{}': terrace {} costs {} m: it must be at least 0",
+                              group, i + 1, cost);
+        }
         if (!(low >= 0.0 && low < high && high <= 1.0)) {
             throw bad_request(
                 "group '{}': terrace {} is from {} to {}: shares must rise, from 0 to 1",
@@ -119,7 +124,7 @@ void check(const Terraces& terraces, const std::string& group) {
 
 std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& group,
                                   const Site& site) {
-    check(terraces, group);
+    check(terraces, group, site.width);
     const Field<float> costs = costs_from(terraces.image, site);
     const Field<float> land = on_land(costs, site);
     const double greatest = *std::max_element(costs.begin(), costs.end());

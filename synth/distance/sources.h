@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -39,7 +38,8 @@ class DrawnStrokes {
 std::vector<Shape> peak_shapes(const Peaks& peaks, const std::string& group,
                                const Site& site, const std::vector<PlacedGroup>& before);
 
-// Closed curves, whatever leaves the land cut off.
+// Closed curves, whatever leaves the land cut off, and rims that a smaller circle has
+// fallen on.
 std::vector<Shape> circle_shapes(const Circles& circles, const std::string& group,
                                  const Site& site,
                                  const std::vector<PlacedGroup>& before);
@@ -58,24 +58,31 @@ std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Sit
 // The cells of each connected piece of equal values; pieces and cells in reading order.
 // Cells that equal `nothing` are in none. Corners connect.
 template <class T>
-std::vector<std::vector<int>> pieces_of(Field<T> cells, const T& nothing) {
+std::vector<std::vector<int>> pieces_of(const Field<T>& cells, const T& nothing) {
     std::vector<std::vector<int>> pieces;
+    std::vector<int> front;
+    Field<int> piece_of(cells.width(), cells.height(), -1);
     for (int start = 0; start < static_cast<int>(cells.size()); ++start) {
         if (cells[start] == nothing) continue;
-        const T value = cells[start];
-        std::vector<int>& piece = pieces.emplace_back(1, start);
-        cells[start] = nothing;
-        for (std::size_t i = 0; i < piece.size(); ++i) {
-            const int x0 = piece[i] % cells.width(), y0 = piece[i] / cells.width();
+        if (piece_of[start] < 0) {
+            piece_of[start] = static_cast<int>(pieces.size());
+            pieces.emplace_back();
+            front.push_back(start);
+        }
+        while (!front.empty()) {
+            const int cell = front.back();
+            front.pop_back();
+            const int x0 = cell % cells.width(), y0 = cell / cells.width();
             for (int y = y0 - 1; y <= y0 + 1; ++y) {
                 for (int x = x0 - 1; x <= x0 + 1; ++x) {
-                    if (!cells.contains(x, y) || cells(x, y) != value) continue;
-                    cells(x, y) = nothing;
-                    piece.push_back(y * cells.width() + x);
+                    if (!cells.contains(x, y) || cells(x, y) != cells[start]) continue;
+                    if (piece_of(x, y) >= 0) continue;
+                    piece_of(x, y) = piece_of[start];
+                    front.push_back(y * cells.width() + x);
                 }
             }
         }
-        std::sort(piece.begin(), piece.end());
+        pieces[piece_of[start]].push_back(start);
     }
     return pieces;
 }
