@@ -2,42 +2,65 @@
 // land at another resolution is from that at 512 samples.
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bench/measure.h"
 #include "field/random.h"
 #include "synth/distance/blend.h"
 #include "synth/distance/distance.h"
-#include "synth/distance/features.h"
+#include "synth/distance/growth.h"
+#include "synth/distance/layout.h"
 
 namespace cydonia::distance {
 namespace {
 
 constexpr double kExtent = 5120.0;
 
-// Rusnell 2009, chapter 3: 25 peaks, 38 ridges and a concave profile.
-Options running_example() {
+Group peaks_and_ridges(int peaks, int ridges) {
+    Group group;
+    group.name = "mountains";
+    Peaks where;
+    where.placement.count = peaks;
+    group.where = where;
+    group.ridges.count = ridges;
+    return group;
+}
+
+// Rusnell 2009, chapter 3: 25 peaks, 38 ridges; raw edge weights shape the land.
+Options without_profile() {
     Options options;
-    options.peaks.count = 25;
-    options.ridges.count = 38;
+    options.groups = {peaks_and_ridges(25, 38)};
+    return options;
+}
+
+// The same with a concave profile.
+Options running_example() {
+    Options options = without_profile();
+    Profile concave;
+    concave.name = "concave";
     for (int i = 0; i <= 20; ++i) {
         const double x = i / 20.0;
-        options.profile.points.push_back({130.0 * x, (1.0 - x) * (1.0 - x)});
+        concave.curve.points.push_back({130.0 * x, (1.0 - x) * (1.0 - x)});
     }
+    options.profiles = {concave};
+    options.groups[0].profile = {concave.name};
     return options;
 }
 
 // Section 5.4: the base terrain of TEXT.
 Options text_base() {
     Options options;
-    options.peaks.count = 1311;
-    options.peaks.cost.kind = CostRule::Kind::kRandom;
-    options.ridges.count = 200;
+    options.groups = {peaks_and_ridges(1311, 200)};
+    options.groups[0].cost.kind = CostRule::Kind::kRandom;
     options.mean_edge_weight = 1.0;
     options.edge_weight_deviation = 0.75;
     return options;
+}
+
+Terrain flat(int samples) {
+    return {Field<float>(samples, samples), kExtent / samples, {}, {}, {}};
 }
 
 Graph graph_for(const Options& options, int samples) {
@@ -45,20 +68,15 @@ Graph graph_for(const Options& options, int samples) {
 }
 
 Field<float> heights(const Options& options, int samples) {
-    Terrain ground;
-    ground.heights = Field<float>(samples, samples);
-    ground.spacing = kExtent / samples;
     SilentProgress silent;
     Context context;
     context.seed = 1;
     context.progress = &silent;
-    return run(options, ground, context).heights;
+    return run(options, flat(samples), context).heights;
 }
 
 void report_memory(benchmark::State& state) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    state.counters["peak_MiB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    state.counters["peak_MiB"] = bench::peak_mebibytes();
 }
 
 void report_nodes(benchmark::State& state, std::size_t nodes) {
@@ -92,26 +110,21 @@ void BM_LeastCost(benchmark::State& state) {
 
 // Steps 5 to 7 of Algorithm 3: the pass with all features, then one for each.
 void passes(benchmark::State& state, const Options& options) {
-    const Graph graph = graph_for(options, static_cast<int>(state.range(0)));
-    const Features features = features_of(options, graph, 1);
-    BlendOptions blend{.mean_edge_weight = options.mean_edge_weight};
-    for (const Start& start : features.starts) {
-        blend.sea_level = std::max(blend.sea_level, 1.1 * start.cost);
-    }
-    const Descent descent =
-        options.profile.empty()
-            ? Descent{}
-            : descent_of(options.profile, blend.sea_level, blend.mean_edge_weight,
-                         options.minimum_scale, kExtent);
+    const Layout layout = layout_of(options, flat(static_cast<int>(state.range(0))), 1);
+    const Ground ground = layout.ground();
     SilentProgress silent;
     PassCounts counts;
+    std::vector<float> approximate;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            blended_heights(graph, features, options.profile.empty() ? nullptr : &descent,
-                            blend, silent, &counts));
+        approximate = approximate_heights(ground, layout.halting);
+        benchmark::DoNotOptimize(blended_heights(ground, layout.halting,
+                                                 {options.blending_bias, {}}, approximate,
+                                                 silent, {}, &counts));
     }
-    report_nodes(state, counts.approximate + counts.features);
-    state.counters["approximate"] = static_cast<double>(counts.approximate);
+    const auto above_sea = static_cast<std::size_t>(
+        std::ranges::count_if(approximate, [](float height) { return height > 0.0f; }));
+    report_nodes(state, above_sea + counts.features);
+    state.counters["approximate"] = static_cast<double>(above_sea);
     state.counters["features"] = static_cast<double>(counts.features);
     report_memory(state);
 }
@@ -166,9 +179,7 @@ void BM_ResolutionOfRunningExample(benchmark::State& state) {
     resolution(state, running_example());
 }
 void BM_ResolutionWithoutProfile(benchmark::State& state) {
-    Options options = running_example();
-    options.profile = {};
-    resolution(state, options);
+    resolution(state, without_profile());
 }
 void BM_ResolutionOfTextBase(benchmark::State& state) { resolution(state, text_base()); }
 
