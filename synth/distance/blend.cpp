@@ -11,6 +11,8 @@
 #include <cmath>
 #include <memory>
 
+#include "synth/distance/explain.h"
+
 namespace cydonia::distance {
 namespace {
 
@@ -201,6 +203,9 @@ void sum_features(const Work& work, std::vector<std::unique_ptr<LeastCost>>& pas
         const Pass& pass = ticket->pass;
         counts.features += pass.nodes.size();
         if (ticket->recalled) counts.recalled += pass.nodes.size();
+        if (Explainer* explainer = work.onlookers.explainer) {
+            explainer->pass(ticket->feature, pass);
+        }
         if (PassMemory* memory = work.onlookers.memory) {
             memory->keep(ticket->feature, pass, work.approximate);
         }

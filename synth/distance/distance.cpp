@@ -10,6 +10,7 @@
 
 #include "field/error.h"
 #include "synth/distance/blend.h"
+#include "synth/distance/explain.h"
 #include "synth/distance/layout.h"
 #include "synth/distance/map.h"
 #include "synth/distance/water.h"
@@ -60,23 +61,29 @@ BlendOptions blend_of(const Options& options, const Graph& graph) {
 
 // Step 7, with what is remembered from the last run.
 Field<float> blended(const Options& options, const Ground& ground, const Halting& halting,
-                     const std::vector<float>& approximate, const Context& context) {
+                     const std::vector<float>& approximate, Explainer* explainer,
+                     const Context& context) {
     std::optional<PassMemory> memory;
     if (context.memory) memory.emplace(ground, halting, context.memory->recall());
     PassCounts counts;
     Field<float> heights = blended_heights(
         ground, halting, blend_of(options, ground.graph), approximate, *context.progress,
-        {memory ? &*memory : nullptr, nullptr}, &counts);
+        {memory ? &*memory : nullptr, explainer}, &counts);
+    if (explainer) explainer->finish();
     if (memory && counts.recalled < counts.features) {
         context.memory->keep(memory->taken_bytes());
     }
     return heights;
 }
 
-void lay_over(Field<float>& land, const Field<float>& heights, const Options& options) {
+// What is replaced takes its water with it.
+void lay_over(Terrain& terrain, const Field<float>& heights, const Options& options) {
     const auto scale = static_cast<float>(options.vertical_scale);
+    const bool adds = options.combine == Options::Combine::kAdd;
+    if (!adds) terrain.water = {};
+    Field<float>& land = terrain.heights;
     for (std::size_t i = 0; i < land.size(); ++i) {
-        const float before = options.combine == Options::Combine::kAdd ? land[i] : 0.0f;
+        const float before = adds ? land[i] : 0.0f;
         land[i] = before + scale * heights[i];
     }
 }
@@ -93,16 +100,21 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     Terrain result = terrain;
     if (layout.features.count() == 0) {
         progress.warn("distance: every generator lies at sea level, so no land rises");
+        lay_water(result, options, layout.graph);
         return result;
     }
     const Ground ground = layout.ground();
 
     progress.step("distance: features");
     const std::vector<float> approximate = approximate_heights(ground, layout.halting);
-    lay_over(result.heights,
-             options.preview
-                 ? by_sample(layout.graph, approximate)
-                 : blended(options, ground, layout.halting, approximate, context),
+    std::optional<Explainer> explainer;
+    if (context.explain) {
+        explainer.emplace(*context.explain, options, ground, layout.halting, approximate);
+    }
+    lay_over(result,
+             options.preview ? by_sample(layout.graph, approximate)
+                             : blended(options, ground, layout.halting, approximate,
+                                       explainer ? &*explainer : nullptr, context),
              options);
     lay_water(result, options, layout.graph);
     return result;
