@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -127,6 +127,11 @@ class ProfileGrowth {
     EvenKey key_;
 };
 
+// The next float; `cost` is finite and not negative.
+inline float just_above(float cost) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(cost) + 1);
+}
+
 // The same where the profile changes on the way: by the side of the stroke on which a
 // path begins, and by the region that it enters, where it goes on at the height at which
 // it comes in.
@@ -157,7 +162,7 @@ class ChangingGrowth : public ProfileGrowth {
                     descents_[there.way].distance_at(down) / rate - label.length;
             }
             there.cost =
-                std::max(std::nextafter(label.cost, kUnreached),
+                std::max(just_above(label.cost),
                          cost + share * descents_[there.way](rate * there.length));
             return there;
         };

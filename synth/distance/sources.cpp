@@ -43,14 +43,31 @@ struct Rim {
     double roughness;
     std::uint64_t seed;
 
+    double radius_at(double angle) const {
+        return radius * (1.0 + roughness * round_noise(angle, seed));
+    }
     Place at(double angle) const {
-        const double r = radius * (1.0 + roughness * round_noise(angle, seed));
+        const double r = radius_at(angle);
         return {static_cast<float>(centre.x + r * std::cos(angle)),
                 static_cast<float>(centre.y + r * std::sin(angle))};
     }
+    bool encloses(const Place& place) const {
+        const double dx = place.x - centre.x, dy = place.y - centre.y;
+        return std::hypot(dx, dy) < radius_at(std::atan2(dy, dx));
+    }
 };
 
-Shape rim_shape(const Rim& rim, const Site& site) {
+// A smaller circle is a younger one: it leaves nothing of the rims that were there.
+bool erased(const Place& place, const Rim& rim, const std::vector<Rim>& rims) {
+    return std::ranges::any_of(rims, [&](const Rim& other) {
+        return other.radius < rim.radius && other.encloses(place);
+    });
+}
+
+Shape rim_shape(const Rim& rim, const std::vector<Rim>& rims, const Site& site) {
+    const auto shows = [&](const Place& place) {
+        return site.contains(place.x, place.y) && !erased(place, rim, rims);
+    };
     Shape shape;
     shape.pitch = static_cast<float>(std::max(site.width, site.depth) / 1024.0);
     shape.centre = {{rim.centre.x, rim.centre.y}};
@@ -62,7 +79,7 @@ Shape rim_shape(const Rim& rim, const Site& site) {
     for (int i = 1; i <= count; ++i) {
         Place here = rim.at(2.0 * std::numbers::pi * (i % count) / count);
         here.root = static_cast<int>(shape.places.size());
-        if (site.contains(here.x, here.y)) {
+        if (shows(here)) {
             shape.places.push_back(here);
         } else {
             here.root = std::max(0, here.root - 1);
@@ -72,7 +89,7 @@ Shape rim_shape(const Rim& rim, const Site& site) {
     }
     // Where the curve comes in from outside there is no place before.
     for (Place& place : line) {
-        if (!site.contains(place.x, place.y)) continue;
+        if (shape.places.empty() || !shows(place)) continue;
         place.root = std::min(place.root, static_cast<int>(shape.places.size()) - 1);
         shape.land.push_back(place);
     }
@@ -144,12 +161,17 @@ std::vector<Shape> circle_shapes(const Circles& circles, const std::string& grou
     check(circles, group, site);
     const double low = circles.radius[0].in(site.width);
     const double high = circles.radius[1].in(site.width);
-    std::vector<Shape> shapes;
+    std::vector<Rim> rims;
     for (const Place& centre : random_places(circles.placement, group, site, before)) {
         const std::uint64_t h =
-            hash_of({site.seed, key("radius"), key_of(group), shapes.size()});
-        const double radius = std::lerp(low, high, unit(h));
-        shapes.push_back(rim_shape({centre, radius, circles.roughness, mix(h)}, site));
+            hash_of({site.seed, key("radius"), key_of(group), rims.size()});
+        rims.push_back(
+            {centre, std::lerp(low, high, unit(h)), circles.roughness, mix(h)});
+    }
+    std::vector<Shape> shapes;
+    for (const Rim& rim : rims) {
+        Shape shape = rim_shape(rim, rims, site);
+        if (!shape.land.empty()) shapes.push_back(std::move(shape));
     }
     return shapes;
 }
