@@ -19,6 +19,7 @@ struct Request {
     bool force = false;    // goes on after a check that fell short
     bool dry_run = false;  // prints the plan only
     bool first_camera_only = false;
+    bool explain = false;  // stages show how they came to their land
 };
 
 // How far to go; each goal includes those before it.

@@ -34,8 +34,11 @@ void add_check(CLI::App& app, Action& action) {
         command->add_option("--target", heights->target, "with --height: dark is shadow")
             ->type_name("IMAGE")
             ->needs(height);
-    height->needs(sun)->needs(target)->excludes(command->get_option("--set"));
     add_making_options(*command, *request);
+    height->needs(sun)->needs(target);
+    for (const char* of_scenes : {"--set", "--explain"}) {
+        height->excludes(command->get_option(of_scenes));
+    }
     command->callback([request, heights, angles, &action] {
         if (angles->size() == 2) {
             heights->azimuth = angles->at(0);

@@ -79,6 +79,8 @@ void add_making_options(CLI::App& command, Request& request) {
         ->type_name("DIR");
     add_effort_options(command, request);
     command.add_flag("--force", request.force, "go on when the shadow check falls short");
+    command.add_flag("--explain", request.explain,
+                     "show how stages came to their land, in <DIR>/explain");
     command.add_flag("--dry-run", request.dry_run,
                      "print the plan, what is done and predicted memory only");
 }

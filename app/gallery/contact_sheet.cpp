@@ -88,7 +88,7 @@ Field<Rgb8> contact_sheet(const std::vector<Tile>& tiles) {
         const Field<Rgb8> small = fitted(tiles[i].picture, kTileWidth, kTileHeight);
         lay(small,
             {corner.x + (kTileWidth - small.width()) / 2,
-             corner.y + (kTileHeight - small.height()) / 2},
+             corner.y + kTileHeight - small.height()},
             sheet);
         captions += caption_of(tiles[i].caption, corner);
     }

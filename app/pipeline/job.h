@@ -37,7 +37,7 @@ struct Job {
 };
 
 // The steps of a job, in the order in which they are done.
-std::vector<Step> stage_steps(Job& job);
+std::vector<Step> stage_steps(Job& job);  // each after its explanation, if asked for
 Step export_step(Job& job);
 Step check_step(Job& job);
 Step assets_step(Job& job);

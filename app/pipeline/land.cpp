@@ -73,21 +73,30 @@ Land::Land(const config::SceneSpec& spec, fs::path cache, Progress& progress)
 
 const Terrain& Land::after(int stage) {
     if (!terrain_ || stage_ != stage) {
-        terrain_ = made(stage);
+        terrain_ = made(stage, nullptr);
         stage_ = stage;
     }
     return *terrain_;
 }
 
-Terrain Land::made(int stage) {
+const Terrain& Land::explained(int stage, const Explain& explain) {
+    terrain_ = made(stage, &explain);
+    stage_ = stage;
+    return *terrain_;
+}
+
+Terrain Land::made(int stage, const Explain* explain) {
     if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}, {}};
-    if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
+    if (!explain) {
+        if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
+    }
     const config::StageSpec& spec = spec_.stages[static_cast<std::size_t>(stage - 1)];
     const Memory memory = memory_in(cache_ / fmt::format("stage-{}.passes", stage));
     Terrain terrain = run(spec.options, after(stage - 1),
                           {.seed = seed_of_stage(spec_, stage - 1),
                            .cast = cast,
                            .progress = &progress_,
+                           .explain = explain,
                            .memory = &memory});
     store_terrain(cached(stage), terrain);
     prune_terrains(cache_, kCacheBytes);

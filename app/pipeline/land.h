@@ -8,6 +8,7 @@
 #include "config/reader/scene.h"
 #include "field/progress.h"
 #include "field/terrain.h"
+#include "synth/context.h"
 
 namespace cydonia {
 
@@ -28,9 +29,12 @@ class Land {
     // The land after `stage` stages (0: flat). The reference holds until the next call.
     const Terrain& after(int stage);
     const Terrain& finished() { return after(stages()); }
+    // The same, made anew, so that the stage shows how it came to it.
+    const Terrain& explained(int stage, const Explain& explain);
 
   private:
-    Terrain made(int stage);
+    // Without `explain` from the cache, if it is there.
+    Terrain made(int stage, const Explain* explain);
     std::filesystem::path cached(int stage) const;
 
     const config::SceneSpec& spec_;

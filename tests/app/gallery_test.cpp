@@ -143,12 +143,12 @@ TEST(ContactSheet, RowsOfSixAndPicturesInWhole) {
     const Field<Rgb8> sheet = contact_sheet(tiles);
     EXPECT_EQ(sheet.width(), 12 + 6 * 252);
     EXPECT_EQ(sheet.height(), 12 + 2 * 218);
-    // 240 x 45 in the middle of a tile's 240 x 180.
-    EXPECT_EQ(sheet(12, 12 + 68), red);
-    EXPECT_EQ(sheet(251, 12 + 111), red);
-    EXPECT_NE(sheet(12, 12 + 64), red);
-    EXPECT_EQ(sheet(12 + 100, 12 + 218 + 90), red);   // the seventh
-    EXPECT_NE(sheet(264 + 100, 12 + 218 + 90), red);  // no eighth
+    // 240 x 45 at the foot of a tile's 240 x 180, on its caption.
+    EXPECT_EQ(sheet(12, 12 + 135), red);
+    EXPECT_EQ(sheet(251, 12 + 179), red);
+    EXPECT_NE(sheet(12, 12 + 134), red);
+    EXPECT_EQ(sheet(12 + 100, 12 + 218 + 150), red);   // the seventh
+    EXPECT_NE(sheet(264 + 100, 12 + 218 + 150), red);  // no eighth
 }
 
 TEST(ContactSheet, CaptionsStandUnderTheirPictures) {

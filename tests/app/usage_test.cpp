@@ -87,6 +87,9 @@ TEST(Usage, HeightNeedsSunAndTarget) {
     expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1,2", "--target",
                             "t.png", "--set", "a=1"}),
                        "--set");
+    expect_wrong_usage(ask({"check", "--height", "a.tif", "--sun", "1,2", "--target",
+                            "t.png", "--explain"}),
+                       "--explain");
 }
 
 TEST(Usage, ControlCharactersDoNotReachTheTerminal) {
