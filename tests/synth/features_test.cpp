@@ -274,17 +274,20 @@ TEST(Places, TheSameAtEveryResolution) {
 }
 
 TEST(Places, AnotherGroupOrCountMovesNone) {
-    const auto nodes = [](int before, int count) {
-        const Land land(with({peaks(before, "before"), peaks(count, "hills")}), 512);
+    const auto nodes_of_last = [](std::vector<Group> groups) {
+        const int last = static_cast<int>(groups.size()) - 1;
         std::vector<int> result;
-        for (const Start& start : land.of_group(1)) result.push_back(start.node);
+        for (const Start& start : Land(with(std::move(groups)), 512).of_group(last)) {
+            result.push_back(start.node);
+        }
         return result;
     };
-    const std::vector<int> some = nodes(3, 10);
-    EXPECT_EQ(some, nodes(30, 10));
-    std::vector<int> more = nodes(3, 15);
+    const std::vector<int> alone = nodes_of_last({peaks(10, "hills")});
+    EXPECT_EQ(alone, nodes_of_last({peaks(3, "before"), peaks(10, "hills")}));
+    EXPECT_NE(alone, nodes_of_last({peaks(10, "other")}));
+    std::vector<int> more = nodes_of_last({peaks(15, "hills")});
     more.resize(10);
-    EXPECT_EQ(some, more);
+    EXPECT_EQ(alone, more);
 }
 
 TEST(Places, ApartAndAway) {
