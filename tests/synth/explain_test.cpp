@@ -203,6 +203,40 @@ TEST(Explain, NeighbouringNumbersHaveColoursApart) {
     }
 }
 
+TEST(Explain, VisitsOfOneAndTwoPasses) {
+    Land land({{0, 100.0f}, {0, 100.0f}});
+    land.features.starts[0].node = land.graph.node(40, 40);
+    land.features.starts[1].node = land.graph.node(60, 40);
+    land.explain();
+    const Field<Rgb8>& visits = land.picture("visits");
+    EXPECT_EQ(visits(50, 40), (Rgb8{255, 255, 255}));
+    EXPECT_EQ(visits(30, 40), visits(70, 40));
+    EXPECT_NE(visits(30, 40), visits(50, 40));
+    EXPECT_EQ(visits(5, 5), (Rgb8{0, 0, 0}));
+    const Field<Rgb8>& approximate = land.picture("approximate");
+    EXPECT_EQ(approximate(40, 40), (Rgb8{255, 255, 255}));
+    EXPECT_EQ(approximate(30, 40), (Rgb8{128, 128, 128}));  // halfway down
+}
+
+TEST(Explain, ProfilesOfGeneratorsAndRegions) {
+    Land land({{0, 100.0f}, {0, 200.0f}});
+    land.features.starts[0].node = land.graph.node(40, 40);
+    land.features.starts[1].node = land.graph.node(60, 40);
+    land.features.features[1].profile = 0;
+    land.options.profiles.resize(1);
+    land.options.profiles[0].name = "cone";
+    land.regions.profile_at.assign(land.graph.nodes(), Regions::kFree);
+    land.regions.profile_at[land.graph.node(5, 5)] = 0;
+    land.explain();
+    const Field<Rgb8>& profiles = land.picture("profiles");
+    EXPECT_EQ(profiles(60, 40), distinct_colour(0));
+    EXPECT_NE(profiles(40, 40), distinct_colour(0));
+    EXPECT_NE(profiles(5, 5), profiles(7, 7));
+    EXPECT_EQ(land.picture("features")(60, 40), distinct_colour(1));
+    EXPECT_GT(land.picture("costs")(40, 40)[2], land.picture("costs")(60, 40)[2]);
+    EXPECT_EQ(lines_of(land.shown.tables.at("features")).at(1).at("profile"), "cone");
+}
+
 // Through the stage itself.
 struct Stage {
     Options options;
