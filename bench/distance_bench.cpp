@@ -21,9 +21,7 @@ constexpr double kExtent = 5120.0;
 Group peaks_and_ridges(int peaks, int ridges) {
     Group group;
     group.name = "mountains";
-    Peaks where;
-    where.placement.count = peaks;
-    group.where = where;
+    group.where.emplace<Peaks>().placement.count = peaks;
     group.ridges.count = ridges;
     return group;
 }

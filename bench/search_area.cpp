@@ -2,16 +2,24 @@
 // the texture laid three times three at 1536 x 1536; what a feature's search covers and
 // what all takes. Prints one line a terrain and the ratio of the two mean areas.
 //
-//     build/bench/bench/search_area
+//     build/bench/bench/search_area [--plot FOLDER]
+//
+// With --plot also draws every feature's area (figures 4.33 and 4.34, c and d).
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <string_view>
 
+#include "bench/measure.h"
+#include "bench/plot.h"
 #include "field/image.h"
 #include "field/noise.h"
+#include "field/parallel.h"
 #include "synth/distance/blend.h"
 #include "synth/distance/layout.h"
 
@@ -76,67 +84,117 @@ Options options_for(const fs::path& picture, double width) {
     return options;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-        .count();
-}
-
 struct Result {
-    int features = 0;
-    double approximate_seconds = 0.0, seconds = 0.0, mean_area = 0.0;
+    int side = 0, features = 0;
+    double layout_seconds = 0.0;       // graph, generators, profiles
+    double approximate_seconds = 0.0;  // the pass with all of them
+    double blend_seconds = 0.0;        // the passes of each
+    double mean_area = 0.0;            // cells settled, a feature
+    std::vector<int> areas;            // of each feature, where asked for
+
+    double seconds() const {
+        return layout_seconds + approximate_seconds + blend_seconds;
+    }
 };
 
-Result result_of(const Field<std::uint8_t>& grey, const fs::path& folder) {
+std::vector<int> areas_of(const Ground& ground, const Halting& halting,
+                          const std::vector<float>& approximate) {
+    tbb::enumerable_thread_specific<LeastCost> paths(std::cref(ground.graph));
+    std::vector<int> areas(static_cast<std::size_t>(ground.features.count()));
+    parallel_for(ground.features.count(), [&](int f) {
+        const Pass pass = pass_of(f, ground, halting, approximate, paths.local());
+        areas[f] = static_cast<int>(pass.nodes.size());
+    });
+    return areas;
+}
+
+Result result_of(const Field<std::uint8_t>& grey, const fs::path& folder, bool areas) {
     const fs::path picture = folder / "texture.png";
     write_png(picture, grey);
     const Terrain flat{Field<float>(grey.width(), grey.height()), kSpacing, {}, {}, {}};
     const Options options = options_for(picture, flat.width());
     SilentProgress silent;
+    Result result;
+    result.side = grey.width();
 
-    const auto start = std::chrono::steady_clock::now();
+    const bench::Stopwatch of_layout;
     const Layout layout = layout_of(options, flat, 1);
     const Ground ground = layout.ground();
+    result.layout_seconds = of_layout.seconds();
+    result.features = layout.features.count();
+
+    const bench::Stopwatch of_approximate;
     const std::vector<float> approximate = approximate_heights(ground, layout.halting);
-    Result result{layout.features.count(), seconds_since(start), 0.0, 0.0};
+    result.approximate_seconds = of_approximate.seconds();
+
+    const bench::Stopwatch of_blend;
     PassCounts counts;
     const Field<float> land =
         blended_heights(ground, layout.halting, {options.blending_bias, {}}, approximate,
                         silent, {}, &counts);
-    result.seconds = seconds_since(start);
+    result.blend_seconds = of_blend.seconds();
     result.mean_area = static_cast<double>(counts.features) / result.features;
+    if (areas) result.areas = areas_of(ground, layout.halting, approximate);
     return result;
 }
 
-void print(const char* name, int side, const Result& result) {
+void print(const char* name, const Result& result) {
     fmt::print(
-        "{:7} {:4} x {:4} {:6} features  {:8.0f} cells each  {:6.2f} s approximate  "
-        "{:6.2f} s all  {:5.1f} M cells/s\n",
-        name, side, side, result.features, result.mean_area, result.approximate_seconds,
-        result.seconds, result.mean_area * result.features / result.seconds / 1e6);
+        "{:7} {:4} x {:4} {:6} {:12.0f} {:8.2f} {:12.2f} {:8.2f} {:8.2f} {:8.1f}\n", name,
+        result.side, result.side, result.features, result.mean_area,
+        result.layout_seconds, result.approximate_seconds, result.blend_seconds,
+        result.seconds(),
+        result.mean_area * result.features / result.blend_seconds / 1e6);
+    std::fflush(stdout);
 }
 
-void run(const Test& test, const fs::path& folder) {
+// Figures 4.33 and 4.34, c and d: both with the same scale upwards.
+void plot(const char* name, const Result& one, const Result& nine, const fs::path& to) {
+    const double most = 1.05 * *std::ranges::max_element(nine.areas);
+    std::vector<bench::Plot> plots;
+    for (const Result* result : {&one, &nine}) {
+        bench::Plot& plot = plots.emplace_back();
+        plot.title = fmt::format("Search area, {0} x {0}", result->side);
+        plot.x = {"feature", 0.0, 1.0 * result->features};
+        plot.y = {"cells", 0.0, most};
+        plot.points = {{"", "#1f6f8b", {}, result == &one ? 1.5 : 0.6}};
+        for (int f = 0; f < result->features; ++f) {
+            plot.points[0].at.push_back({1.0 * f, 1.0 * result->areas[f]});
+        }
+    }
+    bench::write_plots(to, fmt::format("search-area-{}", name), plots);
+}
+
+void run(const Test& test, const fs::path& folder, const fs::path& plots) {
     const Field<std::uint8_t> tile = texture(test.cells);
-    const Result one = result_of(tile, folder);
-    print(test.name, kSide, one);
-    const Result nine = result_of(tiled(tile, 3), folder);
-    print(test.name, 3 * kSide, nine);
+    const Result one = result_of(tile, folder, !plots.empty());
+    print(test.name, one);
+    const Result nine = result_of(tiled(tile, 3), folder, !plots.empty());
+    print(test.name, nine);
     fmt::print(
         "{:7} mean areas {:.2f} to 1 (thesis: 0.83 and 0.82), times 1 to {:.2f} "
         "(12.61 and 11.83)\n",
-        test.name, one.mean_area / nine.mean_area, nine.seconds / one.seconds);
+        test.name, one.mean_area / nine.mean_area, nine.seconds() / one.seconds());
+    if (!plots.empty()) plot(test.name, one, nine, plots);
 }
 
 }  // namespace
 }  // namespace cydonia::distance
 
-int main() {
+int main(int argc, char** argv) try {
     using namespace cydonia;
-    const auto folder = std::filesystem::temp_directory_path() / "cydonia-search-area";
-    std::filesystem::create_directories(folder);
-    for (const auto& test :
-         {distance::Test{"first", 48.0}, distance::Test{"second", 40.0}}) {
-        distance::run(test, folder);
+    if (argc != 1 && !(argc == 3 && std::string_view(argv[1]) == "--plot")) {
+        fmt::print(stderr, "search_area [--plot FOLDER]\n");
+        return 2;
     }
-    std::filesystem::remove_all(folder);
+    const bench::ScratchFolder scratch;
+    fmt::print("{:7} {:>11} {:>6} {:>12} {:>8} {:>12} {:>8} {:>8} {:>8}\n", "test", "",
+               "count", "cells each", "layout", "approximate", "blend", "all s", "M/s");
+    for (const auto& test :
+         {distance::Test{"first", 30.6}, distance::Test{"second", 25.7}}) {
+        distance::run(test, scratch.path(), argc == 3 ? argv[2] : "");
+    }
+} catch (const cydonia::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return static_cast<int>(error.code());
 }
