@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -35,5 +37,16 @@ struct Terrain {
     double width() const { return spacing * heights.width(); }   // west to east, metres
     double depth() const { return spacing * heights.height(); }  // south to north, metres
 };
+
+// Metres of water over a sample; 0 where the land is dry.
+inline float water_depth(const Terrain& terrain, std::size_t sample) {
+    if (terrain.water.empty()) return 0.0f;
+    return std::max(0.0f, terrain.water[sample] - terrain.heights[sample]);
+}
+inline Field<float> water_depths(const Terrain& terrain) {
+    Field<float> depths(terrain.heights.width(), terrain.heights.height());
+    for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = water_depth(terrain, i);
+    return depths;
+}
 
 }  // namespace cydonia

@@ -225,9 +225,20 @@ void check_view(const Camera& c, const CameraOptions& o, const Terrain& t) {
             o.name, t.width(), t.depth());
 }
 
+// What a camera sees and stands on: water where there is some, else land.
+Terrain surface_of(const Terrain& terrain) {
+    Terrain surface;
+    surface.heights = terrain.heights;
+    surface.spacing = terrain.spacing;
+    for (std::size_t i = 0; i < surface.heights.size(); ++i)
+        surface.heights[i] += water_depth(terrain, i);
+    return surface;
+}
+
 }  // namespace
 
-Camera place(const CameraOptions& options, const Terrain& terrain, Quality quality) {
+Camera place(const CameraOptions& options, const Terrain& land, Quality quality) {
+    const Terrain terrain = surface_of(land);
     Camera camera;
     camera.width = scaled(options.size[0], quality);
     camera.height = scaled(options.size[1], quality);

@@ -6,7 +6,7 @@
 
 namespace cydonia::render {
 
-// A third, two thirds or all of the frame's size.
+// A third, two thirds or all of the frame's size. Water counts as ground.
 Camera place(const CameraOptions& options, const Terrain& terrain, Quality quality);
 
 // Overhead and oblique, for scenes that name none.

@@ -75,6 +75,10 @@ double tint(double height, int channel) {
     return (1.0 - t) * kTints[lower][channel] + t * kTints[lower + 1][channel];
 }
 
+// Shallow and deep water.
+constexpr std::array<std::array<double, 3>, 2> kWaterTints{
+    {{128, 164, 180}, {38, 66, 98}}};
+
 Field<float> at_most(const Field<float>& heights, int longest) {
     const double scale =
         static_cast<double>(longest) / std::max(heights.width(), heights.height());
@@ -83,6 +87,45 @@ Field<float> at_most(const Field<float>& heights, int longest) {
         return std::max(1, static_cast<int>(std::lround(scale * side)));
     };
     return resized(heights, scaled(heights.width()), scaled(heights.height()));
+}
+
+struct Water {
+    Field<float> depth, share;  // metres; how much of a pixel is under water. Or empty
+    float deepest = 0.0f;
+    bool any() const { return deepest > 0.0f; }
+};
+
+Water water_of(const Terrain& terrain, int longest) {
+    if (terrain.water.empty()) return {};
+    const Field<float> depths = water_depths(terrain);
+    Field<float> wet(depths.width(), depths.height());
+    std::ranges::transform(depths, wet.begin(),
+                           [](float depth) { return depth > 0.0f ? 1.0f : 0.0f; });
+    return {at_most(depths, longest), at_most(wet, longest),
+            *std::ranges::max_element(depths)};
+}
+
+// The bed stays to be guessed.
+double water_tint(const Water& water, std::size_t i, double shade, int channel) {
+    const double down = std::sqrt(water.depth[i] / water.deepest);
+    const double colour = kWaterTints[0][channel] +
+                          down * (kWaterTints[1][channel] - kWaterTints[0][channel]);
+    return colour * (0.75 + 0.35 * shade);
+}
+
+struct Range {
+    double base, range;
+};
+
+// Of the dry land: it has the tints for itself.
+Range dry_range(const Field<float>& land, const Water& water) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (std::size_t i = 0; i < land.size(); ++i) {
+        if (water.any() && water.share[i] > 0.5f) continue;
+        low = std::min<double>(low, land[i]);
+        high = std::max<double>(high, land[i]);
+    }
+    return {low, std::max(1e-6, high - low)};
 }
 
 }  // namespace
@@ -105,17 +148,20 @@ Field<float> relief(const Field<float>& heights, double spacing) {
     return result;
 }
 
-Field<Rgb8> hillshade(const Field<float>& heights, double spacing, int longest) {
-    const Field<float> land = at_most(heights, longest);
+Field<Rgb8> hillshade(const Terrain& terrain, int longest) {
+    const Field<float> land = at_most(terrain.heights, longest);
     if (land.empty()) return {};
-    const Field<float> shade = relief(land, spacing * heights.width() / land.width());
-    const auto [low, high] = std::minmax_element(land.begin(), land.end());
-    const double base = *low, range = std::max(1e-6, static_cast<double>(*high) - base);
+    const Field<float> shade = relief(land, terrain.width() / land.width());
+    const Water water = water_of(terrain, longest);
+    const auto [base, range] = dry_range(land, water);
     Field<Rgb8> result(land.width(), land.height());
     for (std::size_t i = 0; i < land.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            result[i][c] = static_cast<std::uint8_t>(std::clamp(
-                tint((land[i] - base) / range, c) * (0.15 + shade[i]), 0.0, 255.0));
+        for (int c = 0; c < 3; ++c) {
+            double value = tint((land[i] - base) / range, c) * (0.15 + shade[i]);
+            if (water.any())
+                value += water.share[i] * (water_tint(water, i, shade[i], c) - value);
+            result[i][c] = static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
+        }
     return result;
 }
 

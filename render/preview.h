@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/image.h"
+#include "field/terrain.h"
 
 namespace cydonia::render {
 
@@ -11,6 +12,7 @@ Field<float> relief(const Field<float>& heights, double spacing);
 
 // A picture of land for people to look at: relief under a quiet tint from low to high, at
 // most `longest` pixels a side.
-Field<Rgb8> hillshade(const Field<float>& heights, double spacing, int longest = 1024);
+// Under water the bed shows through blue, the darker the deeper.
+Field<Rgb8> hillshade(const Terrain& terrain, int longest = 1024);
 
 }  // namespace cydonia::render

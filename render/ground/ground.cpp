@@ -20,6 +20,8 @@ constexpr Material kEarth{{0.210f, 0.165f, 0.110f}, {0.150f, 0.115f, 0.074f}};
 constexpr Material kScree{{0.230f, 0.200f, 0.165f}, {0.160f, 0.138f, 0.112f}};
 constexpr Material kRock{{0.215f, 0.190f, 0.165f}, {0.105f, 0.092f, 0.080f}};
 constexpr Material kRust{{0.200f, 0.145f, 0.105f}, {0.150f, 0.100f, 0.070f}};
+constexpr Material kSand{{0.330f, 0.275f, 0.190f}, {0.255f, 0.210f, 0.145f}};
+constexpr Material kSilt{{0.115f, 0.105f, 0.075f}, {0.080f, 0.075f, 0.055f}};
 constexpr Material kSnow{{0.820f, 0.840f, 0.870f}, {0.740f, 0.770f, 0.820f}};
 
 constexpr double kStrata = 45.0;  // metres of height that a pair of thick rock beds takes
@@ -38,6 +40,14 @@ Rgb mix(const Rgb& a, const Rgb& b, double t) {
 }
 Rgb shade(const Material& m, double t) {
     return mix(m.dark, m.light, std::clamp(t, 0.0, 1.0));
+}
+
+// What water above the ground leaves of its colour (Beer-Lambert), straight down and up.
+constexpr Rgb kAbsorption{0.20f, 0.075f, 0.065f};  // a metre, of coastal water
+Rgb seen_through(double depth, Rgb ground) {
+    for (std::size_t c = 0; c < 3; ++c)
+        ground[c] *= static_cast<float>(std::exp(-2.0 * depth * kAbsorption[c]));
+    return ground;
 }
 
 // Box means of (2 * radius + 1)^2 samples, clamped at the edges.
@@ -103,19 +113,43 @@ struct Relief {
     Field<float> far;          // slope at about 45 m
     Field<float> hollow;       // metres below the land around, at about 120 m
     Field<float> wide, wider;  // noise of kWide and three times it
+    // The level of the water there or near, and how near: 1 in it, 0 from kBeach metres
+    // on. Empty without water.
+    Field<float> level, shore;
 };
+
+constexpr double kBeach = 50.0;
+
+void set_shore(Relief& r, const Terrain& terrain, int radius) {
+    const Field<float> depths = water_depths(terrain);
+    if (std::ranges::max(depths) <= 0.0f) return;
+    Field<float> wet(depths.width(), depths.height()), level = wet;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        wet[i] = depths[i] > 0.0f ? 1.0f : 0.0f;
+        level[i] = depths[i] > 0.0f ? terrain.water[i] : 0.0f;
+    }
+    r.shore = blurred(wet, radius);
+    r.level = blurred(level, radius);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        if (r.shore[i] > 0.0f) r.level[i] /= r.shore[i];
+        if (depths[i] > 0.0f) r.level[i] = terrain.water[i];
+        r.shore[i] = depths[i] > 0.0f ? 1.0f : std::min(1.0f, 4.0f * r.shore[i]);
+    }
+}
 
 Relief relief_of(const Terrain& terrain) {
     const auto cells = [&](double metres) {
         return std::max(1, static_cast<int>(std::lround(metres / terrain.spacing / 2.0)));
     };
-    Relief r{
-        terrain.heights, facing_of(terrain.heights, terrain.spacing), {}, {}, {}, {}};
+    Relief r;
+    r.height = terrain.heights;
+    r.near = facing_of(terrain.heights, terrain.spacing);
     r.far = facing_of(blurred(terrain.heights, cells(45.0)), terrain.spacing).slope;
     r.hollow = blurred(terrain.heights, cells(120.0));
     for (std::size_t i = 0; i < r.hollow.size(); ++i) r.hollow[i] -= terrain.heights[i];
     r.wide = noise_over(terrain, kWide, 1);
     r.wider = noise_over(terrain, 3.0 * kWide, 5);
+    set_shore(r, terrain, cells(2.0 * kBeach));
     return r;
 }
 
@@ -149,7 +183,16 @@ class Ground {
         if (slope > rock_)
             ground = mix(ground, rock(height, wide, narrow),
                          smoothstep(rock_, all_rock_, slope));
-        return mix(ground, shade(kSnow, patch), snow(x, y, height, hollow, slope, wide));
+        const double snowy = snow(x, y, height, hollow, slope, wide);
+        if (relief_.shore.empty()) return mix(ground, shade(kSnow, patch), snowy);
+        const double depth = bilinear(relief_.level, x, y) - height;
+        const double washed = bilinear(relief_.shore, x, y) *
+                              smoothstep(-4.0 - 2.0 * wide - narrow, 0.0, depth);
+        ground = mix(ground, shade(kSnow, patch), snowy * (1.0 - washed));
+        const Rgb sand =
+            mix(shade(kSand, patch), shade(kSilt, patch), smoothstep(2.0, 25.0, depth));
+        ground = mix(ground, sand, washed * (1.0 - smoothstep(rock_, all_rock_, slope)));
+        return seen_through(std::max(0.0, depth), ground);
     }
 
   private:

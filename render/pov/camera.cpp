@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "render/pov/pieces.h"
 
 namespace cydonia::render::pov {
@@ -39,6 +41,13 @@ std::string perspective(const Camera& c) {
 }
 
 }  // namespace
+
+double pixel_size(const Camera& camera) {
+    if (camera.projection == Camera::Projection::kOrthographic)
+        return camera.frame_width / camera.width;
+    const double across = 2.0 * std::tan(0.5 * camera.field_of_view);
+    return across * length(camera.target - camera.eye) / camera.width;
+}
 
 std::string camera(const Camera& camera) {
     return camera.projection == Camera::Projection::kOrthographic ? orthographic(camera)

@@ -88,13 +88,18 @@ std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain&
                                  ground_detail(terrain.heights, quality))));
     write_png(folder / "sky_visibility.png",
               levels_of(sky_visibility(terrain.heights, terrain.spacing)));
-    return {"heights.png", "ground.png", "sky_visibility.png"};
+    std::vector<std::string> names{"heights.png", "ground.png", "sky_visibility.png"};
+    if (const auto water = water_surface(terrain)) {
+        write_png(folder / "water.png", water->heights.levels);
+        names.push_back("water.png");
+    }
+    return names;
 }
 
 std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& shot,
                                          const Terrain& terrain) {
-    const std::string scene =
-        pov_scene(shot, quantised(terrain.heights), terrain.spacing);
+    const std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
+                                        water_surface(terrain));
     write_exr(folder / ("sky_" + shot.name + ".exr"),
               sky_dome(shot.sun, shot.options.sky, kDomeHeight));
     write_text(folder / (shot.name + ".pov"), scene);

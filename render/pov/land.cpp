@@ -1,4 +1,4 @@
-// Land, its surroundings and water.
+// Land and its surroundings.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,6 +26,10 @@ double lowest_border(const Heights16& heights) {
     return heights.base + heights.range * lowest / 65535.0;
 }
 
+constexpr const char* kDeepGround =
+    R"(    texture { pigment { color rgb 0 } } // under the sea
+)";
+
 constexpr const char* kFadingGround =
     R"(    // It thins out until the sky's horizon, which goes on below, is all that is left.
     texture {
@@ -52,31 +56,11 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-// What a pixel covers where the camera looks, metres.
-double pixel_size(const Camera& camera) {
-    if (camera.projection == Camera::Projection::kOrthographic)
-        return camera.frame_width / camera.width;
-    const double across = 2.0 * std::tan(0.5 * camera.field_of_view);
-    return across * length(camera.target - camera.eye) / camera.width;
-}
-
 // Close up, bumps finer than the heights catch the light; farther away they would only
 // flicker.
 bool shows_bumps(const Camera& camera, double spacing) {
     return camera.projection == Camera::Projection::kPerspective &&
            pixel_size(camera) < 0.25 * spacing;
-}
-
-// Waves of three lengths, without those that are too small to be seen.
-std::string waves(const Camera& camera) {
-    std::string lengths;
-    for (const int metres : {3, 17, 70})
-        if (metres > pixel_size(camera))
-            lengths +=
-                fmt::format("            [1 bumps 0.05 scale {} / Unit ]\n", metres);
-    if (lengths.empty()) return "";
-    return fmt::format(
-        "    normal {{\n        average normal_map {{\n{}        }}\n    }}\n", lengths);
 }
 
 std::string ground_under_radiosity(const Camera& camera, double spacing) {
@@ -148,7 +132,7 @@ object {{ Land texture {{ Ground }} }}
         smoothness(shot.camera));
 }
 
-std::string outskirts(const Shot& shot, const Heights16& heights) {
+std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea) {
     const char* skylight =
         has_radiosity(shot.quality) ? "" : " finish { emission SkyLight * SkyFill }";
     return fmt::format(
@@ -182,31 +166,9 @@ plane {{
 {}}}
 )",
         number(lowest_border(heights)), skylight,
-        has_haze(shot) ? kFadingGround : "    texture { MeanGround }\n");
-}
-
-std::string water(const Shot& shot) {
-    const Length level = shot.options.water->level;
-    return fmt::format(R"(
-// Water: dark by itself, it mirrors the sky where it is seen at a low angle.
-#declare WaterLevel = {} + {} * LandWidth;
-#declare Water = texture {{
-    pigment {{ color rgb <0.004, 0.016, 0.022> }}
-{}    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
-}};
-plane {{
-    y, WaterLevel / Unit
-    #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
-        clipped_by {{
-            box {{ At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }}
-        }}
-    #end
-    texture {{ Water }}
-    interior {{ ior 1.33 }}
-}}
-)",
-                       number(level.metres), number(level.fraction), waves(shot.camera),
-                       has_radiosity(shot.quality) ? "" : " emission SkyLight * SkyFill");
+        under_sea        ? kDeepGround
+        : has_haze(shot) ? kFadingGround
+                         : "    texture { MeanGround }\n");
 }
 
 }  // namespace cydonia::render::pov

@@ -5,6 +5,7 @@
 
 #include "field/quantise.h"
 #include "render/pov/scene.h"
+#include "render/pov/water.h"
 
 // The .pov in pieces, each a block of text that says what it does. The pieces use the
 // names that land_numbers() and light_numbers() declare.
@@ -24,6 +25,9 @@ bool has_radiosity(Quality quality);
 // A map has no haze: it would only veil.
 bool has_haze(const Shot& shot);
 
+// What a pixel covers where the camera looks, metres.
+double pixel_size(const Camera& camera);
+
 std::string land_numbers(const Heights16& heights, double spacing);
 std::string light_numbers(const Shot& shot);
 std::string settings(const Shot& shot);
@@ -32,7 +36,8 @@ std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
 std::string haze();
 std::string ground(const Shot& shot, double spacing);
-std::string outskirts(const Shot& shot, const Heights16& heights);
-std::string water(const Shot& shot);
+std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
+std::string flood(const Shot& shot);  // all that lies below one level
+std::string water(const Shot& shot, const WaterSurface& surface);
 
 }  // namespace cydonia::render::pov

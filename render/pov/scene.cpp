@@ -41,20 +41,20 @@ bool has_haze(const Shot& shot) {
 
 namespace {
 
-std::string header(const Shot& shot) {
+std::string header(const Shot& shot, bool has_water) {
     return fmt::format(R"(// {0}
 //
 // A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
 //
 //     povray {1}.ini
 //
-// It needs heights.png, ground.png, sky_visibility.png and sky_{1}.exr beside it, and
+// It needs heights.png, {2}ground.png, sky_visibility.png and sky_{1}.exr beside it, and
 // draws {1}.exr: linear light, Rec.709 primaries, no exposure.
 
 #version 3.7;
 
 )",
-                       comment(shot.title), shot.name);
+                       comment(shot.title), shot.name, has_water ? "water.png, " : "");
 }
 
 // The name stands in file names and in quotes.
@@ -69,9 +69,10 @@ void check_name(const std::string& name) {
 }  // namespace
 }  // namespace pov
 
-std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing) {
+std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
+                      const std::optional<WaterSurface>& water) {
     pov::check_name(shot.name);
-    std::string text = pov::header(shot);
+    std::string text = pov::header(shot, water.has_value());
     text += pov::land_numbers(heights, spacing);
     text += pov::light_numbers(shot);
     text += pov::settings(shot);
@@ -80,8 +81,9 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::sky(shot);
     if (pov::has_haze(shot)) text += pov::haze();
     text += pov::ground(shot, spacing);
-    text += pov::outskirts(shot, heights);
-    if (shot.options.water) text += pov::water(shot);
+    text += pov::outskirts(shot, heights, water && water->sea);
+    if (shot.options.water) text += pov::flood(shot);
+    if (water) text += pov::water(shot, *water);
     return text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "field/quantise.h"
 #include "field/terrain.h"
 #include "render/options.h"
+#include "render/pov/water.h"
 
 namespace cydonia::render {
 
@@ -23,11 +25,12 @@ struct Shot {
 
 // The .pov as text, commented, to run with plain `povray` in the folder of its assets.
 // Pure.
-std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing);
+std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
+                      const std::optional<WaterSurface>& water = {});
 
-// Writes what all shots share (heights, ground, sky visibility) and, per shot, its sky,
-// <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants it.
-// Gives the names of the files.
+// Writes what all shots share (heights, water, ground, sky visibility) and, per shot, its
+// sky, <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants
+// it. Gives the names of the files.
 std::vector<std::string> write_pov_assets(const std::filesystem::path& folder,
                                           const Terrain& terrain, const Options& options,
                                           Quality quality);

@@ -1,0 +1,169 @@
+#include "render/pov/water.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/pov/pieces.h"
+
+namespace cydonia::render {
+namespace {
+
+// Of a cell, that water beside land lower than itself keeps under it.
+constexpr float kUnderLand = 0.02f;
+
+// The level of the water at a sample, of the highest beside it where it is dry itself, or
+// kDry.
+float level_near(const Terrain& terrain, int x, int y) {
+    float level = kDry;
+    for (int j = y - 1; j <= y + 1; ++j) {
+        for (int i = x - 1; i <= x + 1; ++i) {
+            if (!terrain.heights.contains(i, j)) continue;
+            const std::size_t sample = terrain.heights.index(i, j);
+            if (water_depth(terrain, sample) > 0.0f) {
+                level = std::max(level, terrain.water[sample]);
+            }
+        }
+    }
+    return level;
+}
+
+float surface_at(const Terrain& terrain, int x, int y) {
+    const std::size_t sample = terrain.heights.index(x, y);
+    if (water_depth(terrain, sample) > 0.0f) return terrain.water[sample];
+    const auto under = kUnderLand * static_cast<float>(terrain.spacing);
+    return std::min(level_near(terrain, x, y), terrain.heights[sample] - under);
+}
+
+std::optional<double> sea_of(const Terrain& terrain) {
+    std::optional<double> lowest;
+    const int right = terrain.heights.width() - 1, bottom = terrain.heights.height() - 1;
+    const auto visit = [&](int x, int y) {
+        const std::size_t sample = terrain.heights.index(x, y);
+        if (water_depth(terrain, sample) <= 0.0f) return;
+        const double level = terrain.water[sample];
+        lowest = std::min(lowest.value_or(level), level);
+    };
+    for (int x = 0; x <= right; ++x) visit(x, 0), visit(x, bottom);
+    for (int y = 0; y <= bottom; ++y) visit(0, y), visit(right, y);
+    return lowest;
+}
+
+}  // namespace
+
+std::optional<WaterSurface> water_surface(const Terrain& terrain) {
+    if (terrain.water.empty()) return std::nullopt;
+    const int width = terrain.heights.width(), height = terrain.heights.height();
+    // Where there is none, so low that what leads down to it stays under all land.
+    const float none =
+        std::ranges::min(terrain.heights) - static_cast<float>(terrain.spacing);
+    Field<float> surface(width, height);
+    bool any = false;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            surface(x, y) = std::max(none, surface_at(terrain, x, y));
+            any = any || surface(x, y) > none;
+        }
+    }
+    if (!any) return std::nullopt;
+    return WaterSurface{quantised(surface), sea_of(terrain)};
+}
+
+namespace pov {
+namespace {
+
+// Waves of three lengths, without those that are too small to be seen.
+std::string waves(const Camera& camera) {
+    std::string lengths;
+    for (const int metres : {3, 17, 70})
+        if (metres > pixel_size(camera))
+            lengths +=
+                fmt::format("            [1 bumps 0.05 scale {} / Unit ]\n", metres);
+    if (lengths.empty()) return "";
+    return fmt::format(
+        "    normal {{\n        average normal_map {{\n{}        }}\n    }}\n", lengths);
+}
+
+const char* skylight(const Shot& shot) {
+    return has_radiosity(shot.quality) ? "" : " emission SkyLight * SkyFill";
+}
+
+std::string open_sea(double level) {
+    return fmt::format(R"(
+// The sea goes on around the land.
+plane {{
+    y, {} / Unit
+    clipped_by {{
+        box {{
+            At(Spacing / 2, Spacing / 2, -1e6),
+            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            inverse
+        }}
+    }}
+    texture {{ ClearWater }}
+    interior {{ InWater }}
+    no_shadow
+}}
+)",
+                       number(level));
+}
+
+}  // namespace
+
+std::string flood(const Shot& shot) {
+    const Length level = shot.options.water->level;
+    return fmt::format(R"(
+// Water: dark by itself, it mirrors the sky where it is seen at a low angle.
+#declare WaterLevel = {} + {} * LandWidth;
+#declare Water = texture {{
+    pigment {{ color rgb <0.004, 0.016, 0.022> }}
+{}    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
+}};
+plane {{
+    y, WaterLevel / Unit
+    #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
+        clipped_by {{
+            box {{ At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }}
+        }}
+    #end
+    texture {{ Water }}
+    interior {{ ior 1.33 }}
+}}
+)",
+                       number(level.metres), number(level.fraction), waves(shot.camera),
+                       skylight(shot));
+}
+
+std::string water(const Shot& shot, const WaterSurface& surface) {
+    return fmt::format(
+               R"(
+// Seas and lakes: a blue-green veil over the bed, whose colour in ground.png is what their
+// depth leaves of it, and a mirror of the sky where they are seen at a low angle.
+#declare ClearWater = texture {{
+    pigment {{ color rgbt <0.02, 0.08, 0.11, 0.8> }}
+{}    finish {{
+        reflection {{ 0, 1 fresnel on }} conserve_energy{}
+        specular 0.5 roughness 0.004 // the sun
+    }}
+}};
+#declare InWater = interior {{ ior 1.33 }};
+
+// Their surface is at its level where they are and under the land beside the shore, which
+// hides it; elsewhere it is cut away.
+height_field {{
+    png "water.png" gamma 1.0 water_level 0.5 / 65535
+    scale At(LandWidth - Spacing, LandDepth - Spacing, {})
+    translate At(Spacing / 2, Spacing / 2, {})
+    texture {{ ClearWater }}
+    interior {{ InWater }}
+    no_shadow
+}}
+)",
+               waves(shot.camera), skylight(shot), number(surface.heights.range),
+               number(surface.heights.base)) +
+           (surface.sea ? open_sea(*surface.sea) : "");
+}
+
+}  // namespace pov
+}  // namespace cydonia::render
