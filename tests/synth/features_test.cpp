@@ -401,6 +401,27 @@ TEST(CircleShapes, RimsHaveNoGapAtAnyResolution) {
     }
 }
 
+TEST(CircleShapes, ASmallerOneErasesTheRimsUnderIt) {
+    const Land land(with({circles(30, 200.0, 700.0, 0.0)}), 512);
+    const std::vector<Start> middles = centres(30, land);
+    std::vector<double> radii;
+    for (int f = 0; f < 30; ++f) {
+        radii.push_back(land.distance(land.features.of(f)[0], middles[f]));
+    }
+    int erased = 0;
+    for (int f = 0; f < 30; ++f) {
+        for (int g = 0; g < 30; ++g) {
+            if (radii[g] > radii[f] - 20.0) continue;
+            const double apart = land.distance(middles[f], middles[g]);
+            if (std::abs(apart - radii[f]) < radii[g]) ++erased;  // it lay on the rim
+            for (const Start& start : land.features.of(f)) {
+                ASSERT_GT(land.distance(start, middles[g]), radii[g] - 20.0);
+            }
+        }
+    }
+    EXPECT_GT(erased, 10);
+}
+
 // ---- Edges, terraces, the lip
 
 Field<Rgb8> square(int size, int from, int to) {
