@@ -194,6 +194,21 @@ TEST(LookAt, PastTheLandButOverItIsFine) {
         "");
 }
 
+// A sea over level land at 100 m.
+Terrain flooded(float level) {
+    Terrain t = cone(64, 64, 0.0);
+    t.water = Field<float>(64, 64, level);
+    return t;
+}
+
+TEST(Cameras, StandAboveWater) {
+    const CameraOptions o = looking({100.0, 320.0, 5.0}, {600.0, 320.0, 0.0});
+    EXPECT_NEAR(place(o, flooded(130.0f), Quality::kDraft).eye.z, 135.0, 1e-3);
+    EXPECT_NEAR(place(o, flooded(80.0f), Quality::kDraft).eye.z, 105.0, 1e-3);
+    const CameraOptions low = looking({100.0, 320.0, -5.0}, {600.0, 320.0, 0.0});
+    EXPECT_NE(refusal(low, flooded(130.0f)), "");
+}
+
 TEST(Size, FollowsTheQuality) {
     const Terrain t = cone(16, 16, 10.0);
     const CameraOptions o = camera(Kind::kOverhead, 1920, 1080);

@@ -88,6 +88,64 @@ TEST(PovScene, LookAtFinalWithWater) {
     expect_golden("look_at_final_water", text_of(shot));
 }
 
+// The hill with a lake 500 m up, west of its top, and a sea in the south.
+Terrain wet_hill() {
+    Terrain t = hill();
+    t.water = Field<float>(kSide, kSide, kDry);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            if (y >= 56) t.water(x, y) = 20.0f;
+            if (std::hypot(x - 20, y - 24) < 5.0) t.water(x, y) = 500.0f;
+            if (t.water(x, y) != kDry) t.heights(x, y) = t.water(x, y) - 8.0f;
+        }
+    return t;
+}
+
+TEST(PovScene, ObliqueDraftOfSeaAndLake) {
+    const Terrain t = wet_hill();
+    Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    shot.camera = place(options_of(Kind::kOblique), t, Quality::kFinal);
+    expect_golden("oblique_draft_waters",
+                  pov_scene(shot, quantised(t.heights), kSpacing, water_surface(t)));
+}
+
+TEST(WaterSurface, IsAtItsLevelsAndUnderTheLandBesideThem) {
+    const Terrain t = wet_hill();
+    const auto surface = water_surface(t);
+    ASSERT_TRUE(surface);
+    EXPECT_EQ(surface->sea, 20.0);
+    const Field<float> heights = heights_of(surface->heights);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            if (t.water(x, y) != kDry) {
+                EXPECT_NEAR(heights(x, y), t.water(x, y), 0.02f) << x << " " << y;
+            } else {
+                EXPECT_LT(heights(x, y), t.heights(x, y)) << x << " " << y;
+            }
+        }
+    // North of the sea the land is higher than it: the surface goes on into it.
+    ASSERT_GT(t.heights(38, 55), 100.0f);
+    EXPECT_NEAR(heights(38, 55), 20.0f, 0.02f);
+    EXPECT_EQ(surface->heights.levels(38, 53), 0);
+}
+
+TEST(WaterSurface, NoneWithoutWaterOrUnderTheLand) {
+    EXPECT_FALSE(water_surface(hill()));
+    Terrain t = hill();
+    t.water = Field<float>(kSide, kSide, kDry);
+    EXPECT_FALSE(water_surface(t));
+    t.water = Field<float>(kSide, kSide, -10.0f);
+    EXPECT_FALSE(water_surface(t));
+}
+
+TEST(WaterSurface, ALakeIsNoSea) {
+    Terrain t = wet_hill();
+    for (int y = 56; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) t.water(x, y) = kDry;
+    ASSERT_TRUE(water_surface(t));
+    EXPECT_FALSE(water_surface(t)->sea);
+}
+
 TEST(PovScene, FillChangesOneNumber) {
     Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
     shot.options.sky.fill = 1.0;
@@ -260,6 +318,32 @@ TEST_F(PovFolder, HeightsLieOnTheirCells) {
     ASSERT_GT(count, 20.0);
     EXPECT_NEAR(east / count / 4.0, 20.5, 0.1);
     EXPECT_NEAR(south / count / 4.0, 9.5, 0.1);
+}
+
+// Seen from above, water has no edge beyond its shore and no hole within it.
+TEST_F(PovFolder, WaterLiesOnItsCells) {
+    Terrain t;
+    t.spacing = kSpacing;
+    t.heights = Field<float>(kSide, kSide, 3.0f);
+    t.water = Field<float>(kSide, kSide, kDry);
+    for (int y = 20; y < 30; ++y)
+        for (int x = 8; x < 40; ++x) t.water(x, y) = 2.0f, t.heights(x, y) = -40.0f;
+    const Shot shot = map_shot();
+    write(shot, t);
+    write_png(folder_ / "ground.png", Field<Rgb8>(kSide, kSide, {255, 255, 255}));
+    const Field<Rgb> frame = render(shot);
+    const float dry = frame(50, 50)[0];
+    for (int y = 1; y < kSide - 1; ++y)
+        for (int x = 1; x < kSide - 1; ++x) {
+            const bool at_shore = x >= 7 && x <= 40 && y >= 19 && y <= 30 &&
+                                  (x <= 8 || x >= 39 || y <= 20 || y >= 29);
+            if (at_shore) continue;
+            if (t.water(x, y) != kDry) {
+                EXPECT_LT(frame(x, y)[0], 0.85f * frame(50, 50)[0]) << x << " " << y;
+            } else {
+                EXPECT_NEAR(frame(x, y)[0], dry, 0.02f * dry) << x << " " << y;
+            }
+        }
 }
 
 // A white sheet on level ground sends back the sun's colour times the sine of its

@@ -92,6 +92,23 @@ TEST(Ground, SnowLiesAboveItsLineAndNotOnCliffs) {
     EXPECT_LT(luminance(mean(ground_albedo(plane(1.8), snowy, 1))), 0.3f);
 }
 
+// Under water: neither snow nor grass, and little red where it is deep.
+TEST(Ground, UnderWaterIsSandThatFadesWithDepth) {
+    const GroundOptions snowy{.snow_line = metres(-1000.0)};
+    Terrain terrain = plane(0.1);  // from 63 m in the north to 0
+    terrain.water = Field<float>(64, 64, kDry);
+    for (int y = 32; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) terrain.water(x, y) = 32.0f;
+    const Field<Rgb> ground = ground_albedo(terrain, snowy, 1);
+    for (int x = 0; x < 64; ++x) {
+        EXPECT_GT(luminance(ground(x, 10)), 0.7f);
+        EXPECT_LT(luminance(ground(x, 33)), 0.3f);
+        EXPECT_GT(ground(x, 33)[0], ground(x, 33)[2]);         // sand
+        EXPECT_LT(ground(x, 45)[0], 0.2f * ground(x, 45)[1]);  // 14 m down
+        EXPECT_LT(luminance(ground(x, 60)), luminance(ground(x, 45)));
+    }
+}
+
 TEST(Ground, AlbedoIsPhysical) {
     for (const Rgb& c : ground_albedo(plane(0.7), {.snow_line = metres(200.0)}, 2))
         for (float v : c) ASSERT_TRUE(v > 0.01f && v < 0.95f);
