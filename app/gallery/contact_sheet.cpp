@@ -26,13 +26,6 @@ struct Corner {
     int x, y;
 };
 
-Corner corner_of(std::size_t tile, int columns) {
-    const int column = static_cast<int>(tile) % columns;
-    const int row = static_cast<int>(tile) / columns;
-    return {kGap + column * (kTileWidth + kGap),
-            kGap + row * (kTileHeight + kCaption + kGap)};
-}
-
 void lay(const Field<Rgb8>& picture, Corner corner, Field<Rgb8>& sheet) {
     for (int y = 0; y < picture.height(); ++y) {
         std::ranges::copy(picture.row(y),
@@ -40,13 +33,28 @@ void lay(const Field<Rgb8>& picture, Corner corner, Field<Rgb8>& sheet) {
     }
 }
 
-std::string caption_of(const std::string& text, Corner corner) {
-    const double fitting =
-        kTileWidth /
-        (kLetterShape * static_cast<double>(std::max<std::size_t>(text.size(), 1)));
-    return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{:.2f}\">{}</text>\n",
-                       corner.x + kTileWidth / 2, corner.y + kTileHeight + kCaption - 8,
-                       std::min(kLetter, fitting), escaped(text));
+// Where the pictures of each row end and their captions begin: a row is as high as its
+// highest picture.
+std::vector<int> floors_of(const std::vector<Field<Rgb8>>& pictures, int columns) {
+    std::vector<int> floors;
+    int top = kGap, highest = 0;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        highest = std::max(highest, pictures[i].height());
+        if ((i + 1) % columns != 0 && i + 1 != pictures.size()) continue;
+        floors.push_back(top + highest);
+        top += highest + kCaption + kGap;
+        highest = 0;
+    }
+    return floors;
+}
+
+// `middle`, `top`: of the caption's line.
+std::string caption_of(const std::string& text, int middle, int top) {
+    const double letters = static_cast<double>(std::max<std::size_t>(text.size(), 1));
+    return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{:.2f}\">{}</text>\n", middle,
+                       top + kCaption - 8,
+                       std::min(kLetter, kTileWidth / (kLetterShape * letters)),
+                       escaped(text));
 }
 
 void draw_over(const Field<Rgba8>& drawing, Field<Rgb8>& sheet) {
@@ -78,19 +86,22 @@ Field<Rgb8> scaled(const Field<Rgb8>& picture, int width, int height) {
 
 Field<Rgb8> contact_sheet(const std::vector<Tile>& tiles) {
     const int columns = std::clamp(static_cast<int>(tiles.size()), 1, kColumns);
-    const Corner end =
-        corner_of((tiles.size() + columns - 1) / columns * columns, columns);
-    Field<Rgb8> sheet(kGap + columns * (kTileWidth + kGap), end.y, kGround);
+    std::vector<Field<Rgb8>> pictures;
+    for (const Tile& tile : tiles) {
+        pictures.push_back(fitted(tile.picture, kTileWidth, kTileHeight));
+    }
+    const std::vector<int> floors = floors_of(pictures, columns);
+    Field<Rgb8> sheet(kGap + columns * (kTileWidth + kGap),
+                      (floors.empty() ? 0 : floors.back() + kCaption) + kGap, kGround);
 
     std::string captions;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const Corner corner = corner_of(i, columns);
-        const Field<Rgb8> small = fitted(tiles[i].picture, kTileWidth, kTileHeight);
-        lay(small,
-            {corner.x + (kTileWidth - small.width()) / 2,
-             corner.y + kTileHeight - small.height()},
+        const int middle =
+            kGap + kTileWidth / 2 + static_cast<int>(i) % columns * (kTileWidth + kGap);
+        const int floor = floors[i / columns];
+        lay(pictures[i], {middle - pictures[i].width() / 2, floor - pictures[i].height()},
             sheet);
-        captions += caption_of(tiles[i].caption, corner);
+        captions += caption_of(tiles[i].caption, middle, floor);
     }
     const std::string drawing = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" "

@@ -50,8 +50,8 @@ struct Gallery : testing::Test {
 TEST_F(Gallery, EverySceneIsOnTheSheetAndThePage) {
     const Outcome outcome = gallery();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(size_of(out / "contact-sheet.png"), (std::array{516, 230}));
-    EXPECT_EQ(size_of(out / "contact-sheet.jpg"), (std::array{516, 230}));
+    EXPECT_EQ(size_of(out / "contact-sheet.png"), (std::array{516, 82}));
+    EXPECT_EQ(size_of(out / "contact-sheet.jpg"), (std::array{516, 82}));
     for (const std::string name : {"one", "two"}) {
         EXPECT_TRUE(has(outcome.err, name + " ")) << outcome.err;
         for (const std::string file : {"/overhead.jpg", ".jpg"}) {
@@ -92,7 +92,7 @@ TEST_F(Gallery, ABrokenSceneIsNamedAndTheOthersAreMade) {
     const Outcome outcome = gallery({"--quiet"});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_TRUE(has(outcome.err, "\nbroken: lands/broken/scene.toml:")) << outcome.err;
-    EXPECT_EQ(size_of(out / "contact-sheet.png"), (std::array{516, 230}));
+    EXPECT_EQ(size_of(out / "contact-sheet.png"), (std::array{516, 82}));
     EXPECT_TRUE(has(page(), "thumbnails/two/overhead.jpg"));
     EXPECT_TRUE(has(page(), "unknown key &#39;sed&#39;"));
 }
@@ -140,22 +140,24 @@ TEST(GalleryPage, TheLeadingCommentEndsWhereTheSceneBegins) {
 TEST(ContactSheet, RowsOfSixAndPicturesInWhole) {
     const Rgb8 red{200, 0, 0};
     std::vector<Tile> tiles(7, {"land", Field<Rgb8>(480, 90, red)});
+    tiles[1].picture = Field<Rgb8>(300, 300, red);
     const Field<Rgb8> sheet = contact_sheet(tiles);
     EXPECT_EQ(sheet.width(), 12 + 6 * 252);
-    EXPECT_EQ(sheet.height(), 12 + 2 * 218);
-    // 240 x 45 at the foot of a tile's 240 x 180, on its caption.
+    EXPECT_EQ(sheet.height(), 12 + (180 + 26 + 12) + (45 + 26 + 12));
+    // 240 x 45 on its caption, beside 180 x 180.
     EXPECT_EQ(sheet(12, 12 + 135), red);
     EXPECT_EQ(sheet(251, 12 + 179), red);
     EXPECT_NE(sheet(12, 12 + 134), red);
-    EXPECT_EQ(sheet(12 + 100, 12 + 218 + 150), red);   // the seventh
-    EXPECT_NE(sheet(264 + 100, 12 + 218 + 150), red);  // no eighth
+    EXPECT_EQ(sheet(264 + 30, 12), red);
+    EXPECT_EQ(sheet(12 + 100, 230 + 44), red);   // the seventh
+    EXPECT_NE(sheet(264 + 100, 230 + 44), red);  // no eighth
 }
 
 TEST(ContactSheet, CaptionsStandUnderTheirPictures) {
     const auto ink = [](const std::string& caption) {
         const Field<Rgb8> sheet = contact_sheet({{caption, Field<Rgb8>(1, 1)}});
         int leftmost = sheet.width(), count = 0;
-        for (int y = 12 + 180; y < sheet.height(); ++y) {
+        for (int y = 12 + 1; y < sheet.height(); ++y) {
             for (int x = 0; x < sheet.width(); ++x) {
                 if (sheet(x, y)[0] < 100) continue;
                 leftmost = std::min(leftmost, x);
