@@ -133,7 +133,7 @@ TEST_F(BadInput, TooLittleMemoryIsRefusedWithTheFigure) {
     const Outcome outcome =
         run({folder.path(), {}, std::size_t{3} << 30},
             {"synth", "land.toml", "--set", "terrain.samples=8192", "--threads", "2"});
-    expect_refused(outcome, 1, "8.9 GB");  // 175 MB, and 130 bytes a cell
+    expect_refused(outcome, 1, "9.4 GB");  // 130 bytes a cell, and what is fixed
     EXPECT_NE(outcome.err.find("3.2 GB"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder / "out"));
 }
