@@ -102,11 +102,20 @@ TEST(Ground, UnderWaterIsSandThatFadesWithDepth) {
     const Field<Rgb> ground = ground_albedo(terrain, snowy, 1);
     for (int x = 0; x < 64; ++x) {
         EXPECT_GT(luminance(ground(x, 10)), 0.7f);
+        EXPECT_GT(luminance(ground(x, 32)), 0.14f);
         EXPECT_LT(luminance(ground(x, 33)), 0.3f);
         EXPECT_GT(ground(x, 33)[0], ground(x, 33)[2]);         // sand
         EXPECT_LT(ground(x, 45)[0], 0.2f * ground(x, 45)[1]);  // 14 m down
         EXPECT_LT(luminance(ground(x, 60)), luminance(ground(x, 45)));
     }
+}
+
+TEST(Ground, NoSnowLiesUnderWater) {
+    Terrain terrain = plane(0.7);  // steep enough for rock to show through sand
+    terrain.water = terrain.heights;
+    for (float& level : terrain.water) level += 0.5f;
+    for (const Rgb& c : ground_albedo(terrain, {.snow_line = metres(-1000.0)}, 1))
+        EXPECT_LT(luminance(c), 0.3f);
 }
 
 TEST(Ground, AlbedoIsPhysical) {

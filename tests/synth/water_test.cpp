@@ -74,8 +74,12 @@ TEST(Water, TheShoreIsAtTheLevelWithinACell) {
     const Picture picture(drawing(in_the_east));
     for (const float level : {-30.0f, 0.0f, 55.0f}) {
         const Terrain terrain = laid(water(picture.source(), level), level_land(60.0f));
-        for (int y = 0; y < 128; ++y)
+        for (int y = 0; y < 128; ++y) {
             EXPECT_NEAR(shore_in_row(terrain, y, level), 640.0, terrain.spacing) << level;
+            // Half a cell from it, at slopes of 0.5 and 0.2.
+            EXPECT_NEAR(terrain.heights(63, y), level + 2.5f, 0.1f);
+            EXPECT_NEAR(terrain.heights(64, y), level - 1.0f, 0.1f);
+        }
     }
 }
 
@@ -228,8 +232,11 @@ TEST(Water, SameShoreAt256And512Samples) {
 TEST(Water, IsThereWhereNoLandRises) {
     const Picture picture(drawing(in_the_east));
     Options options = stage(picture.source());
-    set_range(options, 0.0, 0.0);
-    EXPECT_EQ(land(options, flat(64, 64, kExtent)).water(60, 30), 40.0f);
+    options.sea_level_scale = 0.5;
+    set_range(options, 100.0, 100.0);
+    const Terrain terrain = land(options, flat(64, 64, kExtent));
+    ASSERT_FALSE(terrain.water.empty());
+    EXPECT_EQ(terrain.water(60, 30), 40.0f);
 }
 
 TEST(Water, LaterStagesKeepIt) {
