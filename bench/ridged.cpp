@@ -210,7 +210,7 @@ void write_hillshades(const std::string& file, const std::string& scene) {
     Field<Rgb8> picture(2 * kSide + kGap, kSide, {255, 255, 255});
     shade(ridged_multifractal(1), picture, 0);
     shade(distance_based(scene, kDetail, 1), picture, kSide + kGap);
-    write_text(file, jpeg_of(picture, 38));
+    write_text(file, jpeg_of(picture, 34));
 }
 
 }  // namespace
