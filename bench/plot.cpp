@@ -13,7 +13,7 @@ namespace cydonia::bench {
 namespace {
 
 constexpr int kWidth = 480, kHeight = 340;  // of one plot, pixels
-constexpr double kLeft = 62.0, kRight = 16.0, kTop = 34.0, kBottom = 46.0;
+constexpr double kLeft = 72.0, kRight = 16.0, kTop = 34.0, kBottom = 46.0;
 
 struct Tick {
     double value;
@@ -89,7 +89,7 @@ std::string frame_of(const Plot& plot) {
     text += fmt::format("<text x='{}' y='{}' text-anchor='middle'>{}</text>\n",
                         0.5 * (kLeft + east), kHeight - 10, plot.x.label);
     text += fmt::format(
-        "<text transform='translate(16 {}) rotate(-90)' text-anchor='middle'>{}</text>\n",
+        "<text transform='translate(14 {}) rotate(-90)' text-anchor='middle'>{}</text>\n",
         0.5 * (kTop + south), plot.y.label);
     return text;
 }
