@@ -1,7 +1,7 @@
 // Rusnell 2009, table A.1: every scene of the thesis at 512 samples, synthesis only,
 // without the cache; its features, the nodes settled in the passes of single features,
-// and the time, beside the thesis'. With a folder for pictures also figure 4.35 (time
-// against features) and figure 6.1 (histogram of times).
+// the time of graph and generators and of all, beside the thesis'. With a folder for
+// pictures also figure 4.35 (time against features) and figure 6.1 (histogram of times).
 //
 //     build/bench/bench/thesis_times scenes [PICTURES]
 
@@ -60,14 +60,17 @@ constexpr std::array<Entry, 26> kTableA1{{
 
 struct Measured {
     int features = 0;
-    std::size_t nodes = 0;  // settled, of all passes with one feature
-    double seconds = 0.0;
+    std::size_t nodes = 0;        // settled, of all passes with one feature
+    double seconds = 0.0;         // in all
+    double layout_seconds = 0.0;  // of these, for graph and generators
 };
 
 void count(const distance::Options& options, const Terrain& terrain, std::uint64_t seed,
            Measured& measured) {
     using namespace distance;
+    const bench::Stopwatch watch;
     const Layout layout = layout_of(options, terrain, seed);
+    measured.layout_seconds += watch.seconds();
     const Ground ground = layout.ground();
     SilentProgress silent;
     PassCounts counts;
@@ -164,10 +167,10 @@ int main(int argc, char** argv) try {
         fmt::print(stderr, "thesis_times SCENES [PICTURES]\n");
         return 2;
     }
-    fmt::print("{:29} {:>8} {:>7} {:>9} {:>8} {:>7}\n", "scene", "features", "thesis",
-               "nodes", "seconds", "thesis");
+    fmt::print("{:29} {:>8} {:>7} {:>9} {:>8} {:>8} {:>7}\n", "scene", "features",
+               "thesis", "nodes", "layout", "seconds", "thesis");
     Points ours, thesis;
-    double seconds = 0.0, thesis_seconds = 0.0;
+    double layout_seconds = 0.0, seconds = 0.0, thesis_seconds = 0.0;
     for (const Entry& entry : kTableA1) {
         const fs::path scene = fs::path(argv[1]) / entry.scene / "scene.toml";
         if (!fs::exists(scene)) {
@@ -175,17 +178,18 @@ int main(int argc, char** argv) try {
             continue;
         }
         const Measured own = measured(scene);
-        fmt::print("{:29} {:8} {:7} {:8.2f}M {:8.3f} {:7.0f}\n", entry.scene,
+        fmt::print("{:29} {:8} {:7} {:8.2f}M {:8.3f} {:8.3f} {:7.0f}\n", entry.scene,
                    own.features, entry.features, static_cast<double>(own.nodes) / 1e6,
-                   own.seconds, entry.seconds);
+                   own.layout_seconds, own.seconds, entry.seconds);
         ours.push_back({1.0 * own.features, own.seconds});
         thesis.push_back({1.0 * entry.features, entry.seconds});
+        layout_seconds += own.layout_seconds;
         seconds += own.seconds;
         thesis_seconds += entry.seconds;
     }
-    fmt::print("{:29} {:35.2f} {:7.0f}   1 to {:.0f}\n",
-               fmt::format("all {}", ours.size()), seconds, thesis_seconds,
-               thesis_seconds / seconds);
+    fmt::print("{:29} {:35.2f} {:8.2f} {:7.0f}   1 to {:.0f}\n",
+               fmt::format("all {}", ours.size()), layout_seconds, seconds,
+               thesis_seconds, thesis_seconds / seconds);
     if (argc > 2 && !ours.empty()) write_pictures(argv[2], ours, thesis);
 } catch (const Error& error) {
     fmt::print(stderr, "{}\n", error.what());
