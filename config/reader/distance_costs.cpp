@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/reader/distance.h"
+#include "config/reader/names.h"
 #include "config/reader/readers.h"
 
 namespace cydonia::config {
@@ -37,12 +38,23 @@ bool east_of(const std::array<double, 2>& b, const std::array<double, 2>& a) {
     return b[0] > a[0];
 }
 
-void check_curve(Table& t, const Curve& curve) {
-    const int given =
-        curve.image.has_value() + curve.table.has_value() + !curve.points.empty();
-    t.check(given == 1, {"image", "table", "points"},
-            "needs exactly one of image, table and points");
+int given(const Curve& curve) {
+    return curve.image.has_value() + curve.table.has_value() + !curve.points.empty();
+}
+
+void check_points(Table& t, const Curve& curve) {
     t.check(curve.points.size() != 1, {"points"}, "needs at least two points");
+}
+
+// A profile may be one that ships, with a reach, strata or detail of its own.
+void read_shipped_curve(Table& t, Curve& curve) {
+    static const std::vector<std::string> kNone;
+    std::string like;
+    t.field("like", like, ProfileName{kNone});
+    t.check(given(curve) + !like.empty() == 1, {"like", "image", "table", "points"},
+            "needs exactly one of like, image, table and points");
+    check_points(t, curve);
+    if (!like.empty()) curve.table = t.shipped("like.table", shipped_profile(like));
 }
 
 // Nothing between two points that follow each other breaks `rule(next, point)`.
@@ -91,10 +103,10 @@ void read(Table& t, Profile::Strata& strata) {
 void read(Table& t, Profile& profile) {
     t.required("name", profile.name, Word{});
     read_curve(t, profile.curve);
+    read_shipped_curve(t, profile.curve);
     t.field("reach", profile.reach, LengthUnit{above(0.0)});
     t.table("strata", profile.strata);
     t.field("detail", profile.detail, Number{from(0.0, 1.0)});
-    check_curve(t, profile.curve);
     const auto falls = [](const auto& b, const auto& a) {
         return east_of(b, a) && b[1] <= a[1];
     };
@@ -114,7 +126,9 @@ void read(Table& t, CostRule& cost, const Names& names, const Sign& sign) {
     read_bounds(t, cost, names, sign);
     check_kind(t, cost);
     if (cost.kind == Kind::kDrawn) {
-        check_curve(t, cost.curve);
+        t.check(given(cost.curve) == 1, {"image", "table", "points"},
+                "needs exactly one of image, table and points");
+        check_points(t, cost.curve);
         t.check(all_pairs(cost.curve.points, east_of), {"points"},
                 "x must rise from one point to the next");
     } else {

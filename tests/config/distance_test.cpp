@@ -105,12 +105,15 @@ TEST_F(DistanceStage, ShippedProfilesFollowTheStagesOwn) {
     const auto& o = std::get<Options>(scene.stages[0].options);
     std::vector<std::string> names;
     for (const Profile& profile : o.profiles) names.push_back(profile.name);
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"drawn", "table", "cone", "dome", "bowl"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"drawn", "table", "long-cone", "cone",
+                                               "dome", "bowl"}));
     EXPECT_EQ(o.profiles[0].curve.points.at(1)[1], 0.5);
     EXPECT_EQ(o.profiles[0].strata.layers, 5);
     EXPECT_EQ(o.profiles[1].curve.table->name(), "profile.csv");
-    EXPECT_EQ(o.profiles[2].curve.table->name(), "cone.csv");
+    EXPECT_EQ(o.profiles[2].curve.table->name(), "cone.csv");  // like = "cone"
+    EXPECT_EQ(o.profiles[2].reach, of_width(0.4));
+    EXPECT_EQ(o.profiles[3].curve.table->name(), "cone.csv");
+    EXPECT_FALSE(o.profiles[3].reach);
     EXPECT_GT(std::ranges::count(scene.stages[0].sources, "bowl.csv", &Source::name), 0);
     EXPECT_NE(scene.stages[0].text.find("profile.cone.table = xxh3"), std::string::npos);
 }
