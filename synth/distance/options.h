@@ -163,12 +163,12 @@ struct Region {
 // A sea or lake (section 6.2): the land comes down to its drawn shore and goes on
 // beneath.
 struct Water {
-    Source image;                 // drawn
+    Source image;                           // drawn
     std::optional<Length> level{Length{}};  // of the surface above 0; none: the lowest
                                             // land of the shore without the water
-    Length depth = thesis_units(20.0);  // below the surface at the foot of `bed`
-    std::string bed = "bowl";           // profile from the shore inwards
-    double shore_slope = 0.5;           // the steepest that the land rises from it
+    Length depth = thesis_units(20.0);      // below the surface at the foot of `bed`
+    std::string bed = "bowl";               // profile from the shore inwards
+    double shore_slope = 0.5;               // the steepest that the land rises from it
 };
 
 // A number that varies over the land: grey of a picture, black to white.
