@@ -159,19 +159,15 @@ struct Work {
 struct Ticket {
     int feature = 0;
     Pass pass;
-    bool recalled = false;
     std::vector<Share> shares;
 
     void go(const Work& work, LeastCost& paths) {
-        if (const PassMemory* memory = work.onlookers.memory) {
-            if (auto known = memory->recalled(feature, work.approximate)) {
-                pass = std::move(*known);
-                recalled = true;
-            }
-        }
-        if (!recalled) {
-            pass = pass_of(feature, work.ground, work.halting, work.approximate, paths);
-        }
+        const PassMemory* memory = work.onlookers.memory;
+        auto known =
+            memory ? memory->recalled(feature, work.approximate, paths) : std::nullopt;
+        pass = known ? std::move(*known)
+                     : pass_of(feature, work.ground, work.halting, work.approximate,
+                               paths, memory ? Keep::kLabels : Keep::kHeights);
         shares = work.weights.shares(feature, pass);
     }
 };
@@ -202,7 +198,7 @@ void sum_features(const Work& work, int threads, Sums& sums, Progress& progress,
         sums.add(ticket->shares);
         const Pass& pass = ticket->pass;
         counts.features += pass.nodes.size();
-        if (ticket->recalled) counts.recalled += pass.nodes.size();
+        counts.recalled += pass.nodes.size() - std::min(pass.settled, pass.nodes.size());
         if (Explainer* explainer = work.onlookers.explainer) {
             explainer->pass(ticket->feature, pass);
         }

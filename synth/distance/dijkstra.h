@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -78,21 +80,63 @@ class LeastCost {
     template <class Growth, class Expand = ExpandAll>
     void spread(std::span<const Start> starts, const Growth& growth,
                 const Expand& expand = {}) {
-        for (int node : settled_) labels_[node] = Label{};
-        settled_.clear();
-        // A little narrower than the least step, for the rounding of keys.
-        queue_.reset(0.95f * growth.least_step(least_edge_));
+        begin_pass(growth);
         for (std::size_t i = 0; i < starts.size(); ++i) {
             Label label = growth.begin(static_cast<int>(i));
             label.origin = static_cast<int>(i);
             label.direction = Label::kStart;
             improve(starts[i].node, label, growth);
         }
-        if (graph_->directions == 8) {
-            settle_all<4>(growth, expand);
-        } else {
-            settle_all<8>(growth, expand);
+        settle(growth, expand);
+    }
+
+    // What a pass left behind: nodes, each after those of its path, with their labels and
+    // whether it was searched on from (1) or not.
+    struct Trace {
+        std::vector<int> nodes;
+        std::vector<Label> labels;
+        std::vector<std::uint8_t> expanded;
+    };
+
+    // The labels that spread() would find with the same starts and growth, from those of
+    // a pass with another `expand`: keeps what still holds and settles only the rest.
+    // Returns how many nodes it settled. (Ramalingam and Reps 1996, for one source.)
+    template <class Growth, class Expand>
+    std::size_t spread_again(const Trace& trace, const Growth& growth,
+                             const Expand& expand) {
+        begin_pass(growth);
+        std::vector<int> held, again;
+        for (std::size_t i = 0; i < trace.nodes.size(); ++i) {
+            const int node = trace.nodes[i];
+            const Label& label = trace.labels[i];
+            if (label.direction != Label::kStart) {
+                const int before = node - graph_->step[label.direction];
+                const float cost = labels_[before].cost;
+                if (cost == kUnreached || !expand(before, cost)) continue;  // lost
+            }
+            labels_[node] = label;
+            held.push_back(node);
+            if (!trace.expanded[i] && expand(node, label.cost)) again.push_back(node);
         }
+        // Around what was lost, what is left may lead there.
+        for (int node : trace.nodes) {
+            if (labels_[node].cost != kUnreached) continue;
+            for (int d = 0; d < graph_->directions; ++d) {
+                const int from = node + graph_->step[d];
+                const float cost = labels_[from].cost;
+                if (std::isfinite(cost) && expand(from, cost)) again.push_back(from);
+            }
+        }
+        sort_uniquely(again);
+        for (int node : again) {
+            queue_.push(growth.key(labels_[node].cost), labels_[node].cost, node);
+        }
+        settle(growth, expand);
+        const std::size_t count = settled_.size();
+        settled_.insert(settled_.end(), held.begin(), held.end());
+        sort_uniquely(settled_);
+        std::ranges::sort(settled_, {}, [&](int node) { return labels_[node].cost; });
+        return count;
     }
 
     const Label& operator[](int node) const { return labels_[node]; }
@@ -100,6 +144,28 @@ class LeastCost {
     std::span<const int> settled() const { return settled_; }
 
   private:
+    static void sort_uniquely(std::vector<int>& nodes) {
+        std::ranges::sort(nodes);
+        nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    }
+
+    template <class Growth>
+    void begin_pass(const Growth& growth) {
+        for (int node : settled_) labels_[node] = Label{};
+        settled_.clear();
+        // A little narrower than the least step, for the rounding of keys.
+        queue_.reset(0.95f * growth.least_step(least_edge_));
+    }
+
+    template <class Growth, class Expand>
+    void settle(const Growth& growth, const Expand& expand) {
+        if (graph_->directions == 8) {
+            settle_all<4>(growth, expand);
+        } else {
+            settle_all<8>(growth, expand);
+        }
+    }
+
     // Of equal costs.
     static bool before(const Label& a, const Label& b) {
         if (a.origin != b.origin) return a.origin < b.origin;

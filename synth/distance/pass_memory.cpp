@@ -8,7 +8,7 @@
 namespace cydonia::distance {
 namespace {
 
-constexpr std::string_view kMagic = "cydonia passes 1\n";
+constexpr std::string_view kMagic = "cydonia passes 2\n";
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 template <class T>
@@ -75,9 +75,9 @@ std::uint64_t key_of_ground(const Ground& ground, const Halting& halting) {
 }
 
 // A feature's record: key, count, then its nodes - whether the pass went on there in the
-// lowest bit - and its heights.
+// lowest bit - and its labels.
 constexpr std::size_t kRecordHead = sizeof(std::uint64_t) + sizeof(std::uint32_t);
-constexpr std::size_t kBytesANode = sizeof(std::uint32_t) + sizeof(float);
+constexpr std::size_t kBytesANode = sizeof(std::uint32_t) + sizeof(Label);
 
 }  // namespace
 
@@ -126,26 +126,49 @@ std::uint64_t PassMemory::key_of(int feature) const {
     return hash.result();
 }
 
-std::optional<Pass> PassMemory::recalled(int feature,
-                                         std::span<const float> approximate) const {
+std::optional<LeastCost::Trace> PassMemory::trace_of(int feature) const {
     const auto record = known_.find(key_of(feature));
     if (record == known_.end()) return std::nullopt;
     const std::string_view bytes = record->second.substr(kRecordHead);
     const std::size_t count = bytes.size() / kBytesANode;
-    Pass pass;
-    pass.nodes.resize(count);
-    pass.heights.resize(count);
-    std::memcpy(pass.heights.data(), bytes.data() + count * sizeof(std::uint32_t),
-                count * sizeof(float));
+    LeastCost::Trace trace{std::vector<int>(count), std::vector<Label>(count),
+                           std::vector<std::uint8_t>(count)};
+    std::memcpy(trace.labels.data(), bytes.data() + count * sizeof(std::uint32_t),
+                count * sizeof(Label));
+    const Graph& graph = ground_.graph;
+    const int first = graph.node(0, 0);
+    const int last = graph.node(graph.width - 1, graph.height - 1);
+    const std::size_t starts = ground_.features.of(feature).size();
     for (std::size_t i = 0; i < count; ++i) {
         const auto word = value_at<std::uint32_t>(bytes, i * sizeof(std::uint32_t));
-        const auto node = static_cast<int>(word >> 1);
-        if (node >= static_cast<int>(approximate.size())) return std::nullopt;
-        const bool goes_on = halting_.goes_on(pass.heights[i], approximate[node]);
-        if (goes_on != static_cast<bool>(word & 1)) return std::nullopt;
-        pass.nodes[i] = node;
+        trace.nodes[i] = static_cast<int>(word >> 1);
+        trace.expanded[i] = word & 1;
+        const Label& label = trace.labels[i];
+        const bool sound =
+            trace.nodes[i] >= first && trace.nodes[i] <= last &&
+            static_cast<std::size_t>(label.origin) < starts &&
+            (label.direction == Label::kStart || label.direction < graph.directions);
+        if (!sound) return std::nullopt;
     }
-    return pass;
+    return trace;
+}
+
+std::optional<Pass> PassMemory::recalled(int feature, std::span<const float> approximate,
+                                         LeastCost& paths) const {
+    auto trace = trace_of(feature);
+    if (!trace) return std::nullopt;
+    Pass pass{std::move(trace->nodes), {}, std::move(trace->labels), 0};
+    bool same = true;
+    for (std::size_t i = 0; i < pass.nodes.size(); ++i) {
+        pass.heights.push_back(height_of(pass.labels[i].cost, ground_.shapes));
+        const bool goes_on =
+            halting_.goes_on(pass.heights[i], approximate[pass.nodes[i]]);
+        same = same && goes_on == static_cast<bool>(trace->expanded[i]);
+    }
+    if (same) return pass;
+    trace->nodes = std::move(pass.nodes);
+    trace->labels = std::move(pass.labels);
+    return pass_again(feature, ground_, halting_, approximate, *trace, paths);
 }
 
 void PassMemory::keep(int feature, const Pass& pass, std::span<const float> approximate) {
@@ -162,7 +185,7 @@ void PassMemory::keep(int feature, const Pass& pass, std::span<const float> appr
         const bool goes_on = halting_.goes_on(pass.heights[i], approximate[node]);
         append(kept_, static_cast<std::uint32_t>(node) << 1 | (goes_on ? 1u : 0u));
     }
-    append_all(kept_, pass.heights);
+    append_all(kept_, pass.labels);
 }
 
 std::string PassMemory::taken_bytes() {

@@ -54,6 +54,30 @@ void spread_all(const Ground& ground, const Halting& halting, LeastCost& paths) 
     });
 }
 
+// Where a feature's own pass goes on.
+struct Expand {
+    const Ground& ground;
+    const Halting& halting;
+    std::span<const float> approximate;
+
+    bool operator()(int node, float cost) const {
+        return halting.goes_on(height_of(cost, ground.shapes), approximate[node]);
+    }
+};
+
+Pass settled_by(const LeastCost& paths, const Ground& ground, Keep keep,
+                std::size_t settled) {
+    Pass pass{{paths.settled().begin(), paths.settled().end()}, {}, {}, settled};
+    pass.heights.reserve(pass.nodes.size());
+    for (int node : pass.nodes) {
+        pass.heights.push_back(height_of(paths[node].cost, ground.shapes));
+    }
+    if (keep == Keep::kHeights) return pass;
+    pass.labels.reserve(pass.nodes.size());
+    for (int node : pass.nodes) pass.labels.push_back(paths[node]);
+    return pass;
+}
+
 }  // namespace
 
 std::vector<float> approximate_heights(const Ground& ground, const Halting& halting) {
@@ -79,20 +103,23 @@ std::vector<float> approximate_heights(const Ground& ground, const Halting& halt
 }
 
 Pass pass_of(int feature, const Ground& ground, const Halting& halting,
-             std::span<const float> approximate, LeastCost& paths) {
+             std::span<const float> approximate, LeastCost& paths, Keep keep) {
     const std::span<const Start> starts = ground.features.of(feature);
-    const auto expand = [&](int node, float cost) {
-        return halting.goes_on(height_of(cost, ground.shapes), approximate[node]);
-    };
-    with_growth(ground, starts, ground.features.first[feature],
-                [&](const auto& growth) { paths.spread(starts, growth, expand); });
-    Pass pass;
-    pass.nodes.assign(paths.settled().begin(), paths.settled().end());
-    pass.heights.reserve(pass.nodes.size());
-    for (int node : pass.nodes) {
-        pass.heights.push_back(height_of(paths[node].cost, ground.shapes));
-    }
-    return pass;
+    with_growth(ground, starts, ground.features.first[feature], [&](const auto& growth) {
+        paths.spread(starts, growth, Expand{ground, halting, approximate});
+    });
+    return settled_by(paths, ground, keep, paths.settled().size());
+}
+
+Pass pass_again(int feature, const Ground& ground, const Halting& halting,
+                std::span<const float> approximate, const LeastCost::Trace& trace,
+                LeastCost& paths) {
+    const std::span<const Start> starts = ground.features.of(feature);
+    std::size_t settled = 0;
+    with_growth(ground, starts, ground.features.first[feature], [&](const auto& growth) {
+        settled = paths.spread_again(trace, growth, Expand{ground, halting, approximate});
+    });
+    return settled_by(paths, ground, Keep::kLabels, settled);
 }
 
 }  // namespace cydonia::distance

@@ -41,14 +41,25 @@ inline float height_of(float cost, const Shapes& shapes) {
 // where none comes. Where a region is open to some groups only, those alone.
 std::vector<float> approximate_heights(const Ground& ground, const Halting& halting);
 
-// What a feature's own pass reached, in no order.
+// What a feature's own pass reached; every node comes after those of its path.
 struct Pass {
     std::vector<int> nodes;
     std::vector<float> heights;
+    std::vector<Label> labels;  // where asked for
+    std::size_t settled = 0;    // nodes that it took to find it
 };
+
+enum class Keep { kHeights, kLabels };
 
 // Step 7a.
 Pass pass_of(int feature, const Ground& ground, const Halting& halting,
-             std::span<const float> approximate, LeastCost& paths);
+             std::span<const float> approximate, LeastCost& paths,
+             Keep keep = Keep::kHeights);
+
+// The same with labels, from what the pass left behind when the approximate heights were
+// others.
+Pass pass_again(int feature, const Ground& ground, const Halting& halting,
+                std::span<const float> approximate, const LeastCost::Trace& trace,
+                LeastCost& paths);
 
 }  // namespace cydonia::distance

@@ -71,6 +71,97 @@ TEST(PassMemory, AMovedStrokeSettlesLittleAndGivesTheBytesOfAFreshRun) {
     EXPECT_EQ(again.counts.features, fresh.counts.features);
 }
 
+// A wall that `x` moves, so that passes of others stop elsewhere.
+Field<Rgb8> wall(int x) {
+    Field<Rgb8> pixels(160, 160, kWhite);
+    for (int y = 40; y < 120; ++y) pixels(x, y) = kBlack;
+    return pixels;
+}
+
+// Step by step, every run with what the one before remembered.
+void expect_fresh_bytes(const Picture& stroke, const Options& options) {
+    write_png(stroke.source().path, wall(70));
+    Options at = options;
+    const auto reopen = [&] {
+        std::get<Strokes>(at.groups[1].where).image = stroke.source();
+    };
+    reopen();
+    std::string remembered = made(at, "").remembered;
+    for (const int x : {72, 77, 69, 90, 70}) {
+        write_png(stroke.source().path, wall(x));
+        reopen();
+        const Made again = made(at, remembered);
+        const Made fresh = made(at, "");
+        EXPECT_EQ(again.heights, fresh.heights) << x;
+        EXPECT_EQ(again.counts.features, fresh.counts.features) << x;
+        EXPECT_GT(again.counts.recalled, 0u) << x;
+        remembered = again.remembered;
+    }
+}
+
+TEST(PassMemory, MendsPassesThatStopElsewhere) {
+    const Picture stroke(wall(70));
+    expect_fresh_bytes(stroke, with_peak_at(stroke));
+}
+
+TEST(PassMemory, MendsRawPasses) {
+    const Picture stroke(wall(70));
+    Options options = with_peak_at(stroke);
+    for (Group& group : options.groups) group.profile.clear();
+    expect_fresh_bytes(stroke, options);
+}
+
+TEST(PassMemory, MendsPassesOverSixteenNeighbours) {
+    const Picture stroke(wall(70));
+    Options options = with_peak_at(stroke);
+    options.neighbours = 16;
+    expect_fresh_bytes(stroke, options);
+}
+
+TEST(PassMemory, MendsPassesThroughRegionsAndBesideStrokesWithTwoSides) {
+    const Picture stroke(wall(70));
+    const Picture valley(wall(30));
+    Options options = with_peak_at(stroke);
+    Profile steep = options.profiles[0];
+    steep.name = "steep";
+    steep.curve.points = {{0, 1}, {4, 0.3}, {20, 0}};
+    options.profiles.push_back(steep);
+    options.groups[1].other_side = "steep";
+    Region region;
+    region.image = valley.source();
+    region.profile = "steep";
+    options.regions = {region};
+    expect_fresh_bytes(stroke, options);
+}
+
+TEST(PassMemory, AFeatureThatStaysIsMendedNotMadeAgain) {
+    const Picture stroke(wall(70));
+    const Options options = with_peak_at(stroke);
+    const std::string remembered = made(options, "").remembered;
+    write_png(stroke.source().path, wall(72));
+    const Layout layout = layout_of(options, flat(160, 160), 1);
+    const Ground ground = layout.ground();
+    const auto approximate = approximate_heights(ground, layout.halting);
+    const PassMemory memory(ground, layout.halting, remembered);
+    LeastCost paths(layout.graph), fresh(layout.graph);
+    std::size_t mended = 0, nodes = 0;
+    for (int f = 0; f < layout.features.count(); ++f) {
+        const auto pass = memory.recalled(f, approximate, paths);
+        if (!pass) continue;  // the wall
+        pass_of(f, ground, layout.halting, approximate, fresh);
+        ASSERT_EQ(pass->nodes.size(), fresh.settled().size());
+        for (std::size_t i = 0; i < pass->nodes.size(); ++i) {
+            EXPECT_EQ(pass->labels[i].cost, fresh[pass->nodes[i]].cost);
+            EXPECT_EQ(pass->labels[i].length, fresh[pass->nodes[i]].length);
+            EXPECT_EQ(pass->labels[i].direction, fresh[pass->nodes[i]].direction);
+        }
+        mended += pass->settled;
+        nodes += pass->nodes.size();
+    }
+    EXPECT_GT(mended, 0u);
+    EXPECT_LT(mended, nodes / 10);
+}
+
 TEST(PassMemory, ForgetsWhenTheGroundChanges) {
     const Picture stroke(point(80));
     Options options = with_peak_at(stroke);
