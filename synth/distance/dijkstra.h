@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -99,11 +100,13 @@ class LeastCost {
     };
 
     // The labels that spread() would find with the same starts and growth, from those of
-    // a pass with another `expand`: keeps what still holds and settles only the rest.
-    // Returns how many nodes it settled. (Ramalingam and Reps 1996, for one source.)
+    // a pass with another `expand`: keeps what still holds and settles only the rest
+    // (Ramalingam and Reps 1996, for one source). Returns how many nodes it settled; none
+    // where a label that held does not follow from the one before it any more: with
+    // several starts a cheaper beginning may lead to a dearer end.
     template <class Growth, class Expand>
-    std::size_t spread_again(const Trace& trace, const Growth& growth,
-                             const Expand& expand) {
+    std::optional<std::size_t> spread_again(const Trace& trace, const Growth& growth,
+                                            const Expand& expand) {
         begin_pass(growth);
         std::vector<int> held, again;
         for (std::size_t i = 0; i < trace.nodes.size(); ++i) {
@@ -134,6 +137,8 @@ class LeastCost {
         settle(growth, expand);
         const std::size_t count = settled_.size();
         settled_.insert(settled_.end(), held.begin(), held.end());
+        const auto sound = [&](int node) { return follows(node, growth); };
+        if (!std::ranges::all_of(held, sound)) return std::nullopt;
         sort_uniquely(settled_);
         std::ranges::sort(settled_, {}, [&](int node) { return labels_[node].cost; });
         return count;
@@ -147,6 +152,19 @@ class LeastCost {
     static void sort_uniquely(std::vector<int>& nodes) {
         std::ranges::sort(nodes);
         nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    }
+
+    // Whether a label is what the one before it grows to.
+    template <class Growth>
+    bool follows(int node, const Growth& growth) const {
+        const Label& label = labels_[node];
+        if (label.direction == Label::kStart) return true;
+        const int before = node - graph_->step[label.direction];
+        const Label& from = labels_[before];
+        const float length = from.length + graph_->edge(before, label.direction);
+        return from.origin == label.origin &&
+               growth.from(before, from)(label.direction, node, length).cost ==
+                   label.cost;
     }
 
     template <class Growth>

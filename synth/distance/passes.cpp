@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cydonia::distance {
 namespace {
@@ -115,11 +116,12 @@ Pass pass_again(int feature, const Ground& ground, const Halting& halting,
                 std::span<const float> approximate, const LeastCost::Trace& trace,
                 LeastCost& paths) {
     const std::span<const Start> starts = ground.features.of(feature);
-    std::size_t settled = 0;
+    std::optional<std::size_t> settled;
     with_growth(ground, starts, ground.features.first[feature], [&](const auto& growth) {
         settled = paths.spread_again(trace, growth, Expand{ground, halting, approximate});
     });
-    return settled_by(paths, ground, Keep::kLabels, settled);
+    if (settled) return settled_by(paths, ground, Keep::kLabels, *settled);
+    return pass_of(feature, ground, halting, approximate, paths, Keep::kLabels);
 }
 
 }  // namespace cydonia::distance
