@@ -101,7 +101,7 @@ void Table::field(std::string_view key, std::optional<T>& out, const Unit& unit,
         const auto* word = std::get_if<std::string>(&value->data);
         if (word && !none.empty() && *word == none)
             out.reset();
-        else if (word && !none.empty())
+        else if (word && !none.empty() && !word->ends_with('%'))  // a share is text too
             mistake(key, "expected a number or \"" + std::string(none) + "\", found " +
                              described(*value));
         else if (!read_value(reading_, *value, path_of(key), out.emplace(), unit))

@@ -11,6 +11,6 @@ namespace cydonia::distance {
 // options that contradict the inputs (no generator, a rising profile, r >= mu_w).
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
-inline constexpr int kVersion = 1;  // raised when the same options give other heights
+inline constexpr int kVersion = 2;  // raised when the same options give other heights
 
 }  // namespace cydonia::distance

@@ -2,6 +2,8 @@
 
 #include "synth/distance/growth.h"
 
+#include <cmath>
+
 namespace cydonia::distance {
 namespace {
 
@@ -59,20 +61,43 @@ ProfileGrowth::ProfileGrowth(const Shapes& shapes, std::span<const Start> starts
       per_sea_level_(static_cast<float>(1.0 / shapes.sea_level)),
       key_(shapes, starts, first) {}
 
-ChangingGrowth::ChangingGrowth(const Graph& graph, const Shapes& shapes,
-                               std::span<const Start> starts, int first)
+ChangingGrowth::ChangingGrowth(const Shapes& shapes, std::span<const Start> starts,
+                               int first)
     : ProfileGrowth(shapes, starts, first),
       other_ways_(shapes.other_ways.empty() ? nullptr : shapes.other_ways.data() + first),
-      sides_(shapes.sides.empty() ? nullptr : shapes.sides.data() + first),
       way_at_(shapes.way_at),
-      graph_(&graph) {}
+      shapes_(&shapes),
+      first_(first) {}
 
-std::uint8_t ChangingGrowth::side_of(int origin, int direction) const {
-    if (sides_ == nullptr) return 0;
-    const auto [x, y] = sides_[origin];
-    const Graph::Offset step = graph_->offset[direction];
-    return x * static_cast<float>(step.x) + y * static_cast<float>(step.y) >= 0.0f ? 0
-                                                                                   : 1;
+// The side is that of the nearest start's: a path that crosses a stroke changes sides, by
+// whatever steps it does so.
+void lay_sides(Shapes& shapes, const Graph& graph, std::span<const Start> starts,
+               std::span<const std::array<float, 2>> sides) {
+    constexpr int kReach = Shapes::kBeside;
+    const auto nodes = static_cast<std::size_t>(graph.nodes());
+    shapes.beside.assign(nodes, -1);
+    shapes.side_at.assign(nodes, 0);
+    std::vector<std::uint8_t> nearest(nodes, 255);  // squared cells
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const auto [east, south] = sides[i];
+        if (east == 0.0f && south == 0.0f) continue;
+        const int x0 = graph.x_of(starts[i].node), y0 = graph.y_of(starts[i].node);
+        for (int dy = -kReach; dy <= kReach; ++dy) {
+            for (int dx = -kReach; dx <= kReach; ++dx) {
+                const int x = x0 + dx, y = y0 + dy, square = dx * dx + dy * dy;
+                if (x < 0 || y < 0 || x >= graph.width || y >= graph.height) continue;
+                const int node = graph.node(x, y);
+                if (square >= nearest[node]) continue;
+                const float across =
+                    east * static_cast<float>(dx) + south * static_cast<float>(dy);
+                nearest[node] = static_cast<std::uint8_t>(square);
+                // On the stroke, or straight on from its end: neither side.
+                shapes.beside[node] =
+                    std::abs(across) < 1e-3f ? -1 : shapes.feature_of[i];
+                shapes.side_at[node] = across < 0.0f ? 1 : 0;
+            }
+        }
+    }
 }
 
 }  // namespace cydonia::distance

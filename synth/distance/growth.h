@@ -57,10 +57,14 @@ struct Shapes {
     double mean_edge_weight = 1.0;     // mu_w
     std::vector<Descent> descents{};   // by way; none: raw edge weights
     std::vector<std::uint8_t> ways{};  // the descent of each start
-    // With two sides: the descent beyond each stroke, and the starts' unit vectors into
-    // the first side.
+    // With two sides: the descent of each start beyond its stroke, and beside the strokes
+    // (kBeside cells, more than a step) of which feature a node is on a side, -1
+    // elsewhere, and on which, 1 beyond.
+    static constexpr int kBeside = 3;
     std::vector<std::uint8_t> other_ways{};
-    std::vector<std::array<float, 2>> sides{};
+    std::vector<int> feature_of{};  // each start
+    std::vector<int> beside{};
+    std::vector<std::uint8_t> side_at{};
     // With regions: the descent that holds at each node; kOwn: the feature's.
     std::vector<std::uint8_t> way_at{};
     std::vector<std::uint8_t> region_ways{};  // all that way_at has, but kOwn
@@ -68,6 +72,11 @@ struct Shapes {
     bool raw() const { return descents.empty(); }
     bool plain() const { return other_ways.empty() && way_at.empty(); }
 };
+
+// Fills `beside` and `side_at` from the starts' unit vectors into their first side; none
+// where a vector is zero.
+void lay_sides(Shapes& shapes, const Graph& graph, std::span<const Start> starts,
+               std::span<const std::array<float, 2>> sides);
 
 // A key that rises evenly where cost rises unevenly: along every path by at least as much
 // as the path is long, whatever profile it follows, since its slope over cost is one by
@@ -132,15 +141,14 @@ inline float just_above(float cost) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(cost) + 1);
 }
 
-// The same where the profile changes on the way: by the side of the stroke on which a
-// path begins, and by the region that it enters, where it goes on at the height at which
-// it comes in.
+// The same where the profile changes on the way: beside its own stroke a path takes the
+// profile of that side, in a region the region's. It goes on at the height at which it
+// comes in.
 class ChangingGrowth : public ProfileGrowth {
   public:
     static constexpr bool kOneWay = false;
 
-    ChangingGrowth(const Graph& graph, const Shapes& shapes,
-                   std::span<const Start> starts, int first);
+    ChangingGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
 
     Label begin(int origin) const {
         return {.cost = starts_[origin].cost, .way = ways_[origin]};
@@ -148,11 +156,9 @@ class ChangingGrowth : public ProfileGrowth {
     auto from(int /*node*/, const Label& label) const {
         return [this, label, cost = starts_[label.origin].cost,
                 share = share_of(starts_[label.origin].cost)](
-                   int direction, int neighbour, float length) {
+                   int /*direction*/, int neighbour, float length) {
             Label there = label;
-            if (label.direction == Label::kStart) {
-                there.side = side_of(label.origin, direction);
-            }
+            there.side = side_at(neighbour, label);
             there.way = way_at(neighbour, label.origin, there.side);
             there.length = length;
             const float rate = metres_ / share;
@@ -169,16 +175,21 @@ class ChangingGrowth : public ProfileGrowth {
     }
 
   private:
-    std::uint8_t side_of(int origin, int direction) const;
+    std::uint8_t side_at(int node, const Label& label) const {
+        if (other_ways_ == nullptr || shapes_->beside[node] < 0) return label.side;
+        const int feature = shapes_->feature_of[first_ + label.origin];
+        const bool own = shapes_->beside[node] == feature;
+        return own ? shapes_->side_at[node] : label.side;
+    }
     std::uint8_t way_at(int node, int origin, std::uint8_t side) const {
         if (!way_at_.empty() && way_at_[node] != Shapes::kOwn) return way_at_[node];
         return side == 0 ? ways_[origin] : other_ways_[origin];
     }
 
     const std::uint8_t* other_ways_;  // null without sides
-    const std::array<float, 2>* sides_;
     std::span<const std::uint8_t> way_at_;
-    const Graph* graph_;
+    const Shapes* shapes_;
+    int first_;
 };
 
 }  // namespace cydonia::distance

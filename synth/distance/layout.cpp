@@ -43,9 +43,9 @@ Descent straight_descent(const Options& options, double sea_level, double width)
 }
 
 // Step 4, and which profile each start and each region has.
-Shapes shapes_of(const Options& options, const Features& features, const Regions& regions,
-                 double sea_level, double width) {
-    Shapes shapes{sea_level, options.mean_edge_weight, {}, {}, {}, {}, {}, {}};
+Shapes shapes_of(const Options& options, const Graph& graph, const Features& features,
+                 const Regions& regions, double sea_level, double width) {
+    Shapes shapes{.sea_level = sea_level, .mean_edge_weight = options.mean_edge_weight};
     const bool shaped = !regions.profile_at.empty() ||
                         std::ranges::any_of(features.features,
                                             [](const auto& f) { return f.profile >= 0; });
@@ -64,9 +64,11 @@ Shapes shapes_of(const Options& options, const Features& features, const Regions
         const std::size_t starts = features.of(f).size();
         const int other = feature.other_side < 0 ? feature.profile : feature.other_side;
         shapes.ways.insert(shapes.ways.end(), starts, way(feature.profile));
-        if (sides) shapes.other_ways.insert(shapes.other_ways.end(), starts, way(other));
+        if (!sides) continue;
+        shapes.other_ways.insert(shapes.other_ways.end(), starts, way(other));
+        shapes.feature_of.insert(shapes.feature_of.end(), starts, f);
     }
-    if (sides) shapes.sides = features.sides;
+    if (sides) lay_sides(shapes, graph, features.starts, features.sides);
     shapes.way_at = regions.profile_at;
     for (const Region& region : options.regions) {
         const auto at =
@@ -94,7 +96,8 @@ Layout layout_of(const Options& options, const Terrain& terrain, std::uint64_t s
     const double sea_level = sea_level_of(placed, options.sea_level_scale);
     layout.features = above_sea(placed, sea_level);
     layout.regions = regions_of(options, layout.graph, placed);
-    layout.shapes = shapes_of(options, layout.features, layout.regions, sea_level, width);
+    layout.shapes = shapes_of(options, layout.graph, layout.features, layout.regions,
+                              sea_level, width);
     layout.halting = halting_of(options, width);
     return layout;
 }

@@ -122,8 +122,30 @@ std::uint64_t PassMemory::key_of(int feature) const {
     };
     of_starts(ground_.shapes.ways);
     of_starts(ground_.shapes.other_ways);
-    of_starts(ground_.shapes.sides);
+    if (!ground_.shapes.beside.empty()) {
+        hash.add_all(std::span<const std::uint8_t>(own_sides(feature)));
+    }
     return hash.result();
+}
+
+// The sides that the feature's own strokes give the nodes beside them.
+std::vector<std::uint8_t> PassMemory::own_sides(int feature) const {
+    constexpr std::uint8_t kNone = 2;
+    const Graph& graph = ground_.graph;
+    const Shapes& shapes = ground_.shapes;
+    std::vector<std::uint8_t> sides;
+    for (const Start& start : ground_.features.of(feature)) {
+        const int x0 = graph.x_of(start.node), y0 = graph.y_of(start.node);
+        for (int y = y0 - Shapes::kBeside; y <= y0 + Shapes::kBeside; ++y) {
+            for (int x = x0 - Shapes::kBeside; x <= x0 + Shapes::kBeside; ++x) {
+                if (x < 0 || y < 0 || x >= graph.width || y >= graph.height) continue;
+                const int node = graph.node(x, y);
+                const bool own = shapes.beside[node] == feature;
+                sides.push_back(own ? shapes.side_at[node] : kNone);
+            }
+        }
+    }
+    return sides;
 }
 
 std::optional<LeastCost::Trace> PassMemory::trace_of(int feature) const {

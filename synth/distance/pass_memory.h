@@ -33,6 +33,7 @@ class PassMemory {
   private:
     void index_known();
     std::uint64_t key_of(int feature) const;
+    std::vector<std::uint8_t> own_sides(int feature) const;
     std::optional<LeastCost::Trace> trace_of(int feature) const;
 
     const Ground& ground_;

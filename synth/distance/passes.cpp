@@ -16,7 +16,7 @@ void with_growth(const Ground& ground, std::span<const Start> starts, int first,
     const Shapes& shapes = ground.shapes;
     if (shapes.raw()) return use(RawGrowth{starts});
     if (shapes.plain()) return use(ProfileGrowth(shapes, starts, first));
-    use(ChangingGrowth(ground.graph, shapes, starts, first));
+    use(ChangingGrowth(shapes, starts, first));
 }
 
 // The starts of some groups, a bit each, as a ground of their own.
@@ -29,7 +29,7 @@ Part part_of(const Ground& ground, std::uint64_t groups) {
     Part part{{}, ground.shapes};
     part.shapes.ways.clear();
     part.shapes.other_ways.clear();
-    part.shapes.sides.clear();
+    part.shapes.feature_of.clear();
     const auto keep = [](const auto& from, auto& to, int i) {
         if (!from.empty()) to.push_back(from[i]);
     };
@@ -40,7 +40,7 @@ Part part_of(const Ground& ground, std::uint64_t groups) {
             part.features.starts.push_back(all.starts[i]);
             keep(ground.shapes.ways, part.shapes.ways, i);
             keep(ground.shapes.other_ways, part.shapes.other_ways, i);
-            keep(ground.shapes.sides, part.shapes.sides, i);
+            keep(ground.shapes.feature_of, part.shapes.feature_of, i);
         }
     }
     return part;

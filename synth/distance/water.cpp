@@ -114,7 +114,7 @@ class Shores {
         const double depth = water.depth.in(width);
         const auto deepest = static_cast<float>(depth);
         const auto bed = std::ranges::find(options_.profiles, water.bed, &Profile::name);
-        Shapes shapes{depth, options_.mean_edge_weight, {}, {}, {}, {}, {}, {}};
+        Shapes shapes{.sea_level = depth, .mean_edge_weight = options_.mean_edge_weight};
         shapes.descents.push_back(descent_of(*bed, depth, options_.mean_edge_weight,
                                              options_.minimum_scale, width));
         const auto shore = shore_of(grey, graph_, true, [&](float metres) {

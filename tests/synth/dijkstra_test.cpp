@@ -181,16 +181,17 @@ TEST(LeastCost, EqualsReferenceWhereProfilesChange) {
         LeastCost paths(graph);
         const auto starts = random_starts(graph, 12, 80.0, seed);
         Shapes shapes = some_shapes(graph, starts.size(), 100.0);
+        std::vector<std::array<float, 2>> sides(starts.size(), {0.0f, -1.0f});
         for (std::size_t i = 0; i < starts.size(); ++i) {
             shapes.other_ways.push_back(static_cast<std::uint8_t>(mix(i + 7) % 3));
-            shapes.sides.push_back({0.0f, -1.0f});
+            shapes.feature_of.push_back(static_cast<int>(i));
         }
+        lay_sides(shapes, graph, starts, sides);
         shapes.way_at.assign(static_cast<std::size_t>(graph.nodes()), Shapes::kOwn);
         for (int y = 20; y < 40; ++y)
             for (int x = 10; x < 50; ++x) shapes.way_at[graph.node(x, y)] = 2;
         shapes.region_ways = {2};
-        expect_same_as_reference(graph, starts, ChangingGrowth(graph, shapes, starts, 0),
-                                 paths);
+        expect_same_as_reference(graph, starts, ChangingGrowth(shapes, starts, 0), paths);
     }
 }
 
@@ -198,7 +199,8 @@ TEST(LeastCost, GoesOnAtTheSameHeightInARegion) {
     // A cone of slope 1, in the eastern half of slope 3.
     const Graph graph = graph_of(101, 21, 10.0, {.mean = 2.0, .deviation = 0.0}, 1);
     const std::vector<Start> starts{{graph.node(20, 10), 0.0f}};
-    Shapes shapes{1000.0, 2.0, {}, {0}, {}, {}, {}, {1}};
+    Shapes shapes{
+        .sea_level = 1000.0, .mean_edge_weight = 2.0, .ways = {0}, .region_ways = {1}};
     for (double reach : {1000.0, 1000.0 / 3.0}) {
         Profile straight;
         straight.curve.points = {{0, 1}, {1, 0}};
@@ -209,22 +211,26 @@ TEST(LeastCost, GoesOnAtTheSameHeightInARegion) {
     for (int y = 0; y < 21; ++y)
         for (int x = 51; x < 101; ++x) shapes.way_at[graph.node(x, y)] = 1;
     LeastCost paths(graph);
-    paths.spread(starts, ChangingGrowth(graph, shapes, starts, 0));
+    paths.spread(starts, ChangingGrowth(shapes, starts, 0));
     EXPECT_NEAR(paths[graph.node(50, 10)].cost, 300.0, 0.5);
     EXPECT_NEAR(paths[graph.node(60, 10)].cost, 300.0 + 300.0, 1.0);
     EXPECT_NEAR(paths[graph.node(10, 10)].cost, 100.0, 0.5);
 }
 
 TEST(LeastCost, HasAProfileOnEachSideOfAStroke) {
-    // A stroke from west to east: slope 1 to its north, 3 to its south.
-    const Graph graph = graph_of(61, 61, 10.0, {.mean = 2.0, .deviation = 0.0}, 1);
+    // A stroke one cell thin that climbs in steps from west to east: slope 1 to its
+    // north, 3 to its south. Its generators differ in cost by less than either falls.
+    const Graph graph = graph_of(61, 61, 10.0, {.mean = 2.0, .deviation = 0.5}, 1);
     std::vector<Start> starts;
-    Shapes shapes{1000.0, 2.0, {}, {}, {}, {}, {}, {}};
-    for (int x = 5; x < 56; ++x) {
-        starts.push_back({graph.node(x, 30), 0.0f});
+    std::vector<std::array<float, 2>> sides;
+    Shapes shapes{.sea_level = 1000.0, .mean_edge_weight = 2.0};
+    const auto stroke = [](int x) { return 38 - x / 4; };
+    for (int x = 2; x < 59; ++x) {
+        starts.push_back({graph.node(x, stroke(x)), x % 7 == 0 ? 0.0f : 20.0f});
+        sides.push_back({-0.2425f, -0.9701f});
         shapes.ways.push_back(0);
         shapes.other_ways.push_back(1);
-        shapes.sides.push_back({0.0f, -1.0f});
+        shapes.feature_of.push_back(0);
     }
     for (double reach : {1000.0, 1000.0 / 3.0}) {
         Profile straight;
@@ -232,10 +238,16 @@ TEST(LeastCost, HasAProfileOnEachSideOfAStroke) {
         straight.reach = metres(reach);
         shapes.descents.push_back(descent_of(straight, 1000.0, 2.0, 0.001, 610.0));
     }
+    lay_sides(shapes, graph, starts, sides);
     LeastCost paths(graph);
-    paths.spread(starts, ChangingGrowth(graph, shapes, starts, 0));
-    EXPECT_NEAR(paths[graph.node(30, 20)].cost, 100.0, 0.5);
-    EXPECT_NEAR(paths[graph.node(30, 40)].cost, 300.0, 0.5);
+    paths.spread(starts, ChangingGrowth(shapes, starts, 0));
+    for (int x = 10; x < 50; ++x) {
+        const float north = paths[graph.node(x, stroke(x) - 10)].cost;
+        const float south = paths[graph.node(x, stroke(x) + 10)].cost;
+        EXPECT_GT(north, 40.0f) << x;
+        EXPECT_LT(north, 160.0f) << x;
+        EXPECT_GT(south, 1.8f * north) << x;
+    }
 }
 
 TEST(LeastCost, OneStartIsThePolygonalConeOfTheMetric) {
