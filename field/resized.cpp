@@ -4,6 +4,7 @@
 
 #include "field/error.h"
 #include "field/image.h"
+#include "field/parallel.h"
 
 namespace cydonia {
 namespace {
@@ -44,7 +45,7 @@ std::vector<Window> windows(int from, int to) {
 Field<float> resized_across(const Field<float>& image, int width) {
     Field<float> result(image.height(), width);
     const std::vector<Window> columns = windows(image.width(), width);
-    for (int y = 0; y < image.height(); ++y)
+    parallel_for(image.height(), 16, [&](int y) {
         for (int x = 0; x < width; ++x) {
             const Window& window = columns[std::size_t(x)];
             double sum = 0.0;
@@ -52,6 +53,7 @@ Field<float> resized_across(const Field<float>& image, int width) {
                 sum += window.weights[k] * double(image(window.first + int(k), y));
             result(y, x) = static_cast<float>(sum);
         }
+    });
     return result;
 }
 

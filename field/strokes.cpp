@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "field/error.h"
+#include "field/parallel.h"
 #include "field/svg.h"
 
 namespace cydonia {
@@ -30,8 +31,12 @@ Rgba8 snapped(Rgba8 pixel) {
     return {r, g, b, 255};
 }
 
+constexpr int kRows = 16;  // at a time
+
 void snap_all(Field<Rgba8>& image) {
-    std::transform(image.begin(), image.end(), image.begin(), snapped);
+    parallel_for(image.height(), kRows, [&](int y) {
+        std::ranges::transform(image.row(y), image.row(y).begin(), snapped);
+    });
 }
 
 constexpr std::size_t kManyColours = 16;
@@ -135,8 +140,8 @@ class Vote {
 // A cell that a stroke touches is drawn: thin strokes stay, and stay connected.
 Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
     Field<Rgba8> cells(width, height, kNothing);
-    Vote vote;
-    for (int y = 0; y < height; ++y)
+    parallel_for(height, kRows, [&](int y) {
+        Vote vote;
         for (int x = 0; x < width; ++x) {
             const auto [left, right] = pixels_of_cell(x, width, image.width());
             const auto [top, bottom] = pixels_of_cell(y, height, image.height());
@@ -145,6 +150,7 @@ Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
                 for (int i = left; i < right; ++i) vote.add(image(i, j));
             cells(x, y) = vote.winner();
         }
+    });
     return cells;
 }
 
@@ -156,7 +162,9 @@ float grey_over_white(Rgba8 pixel) {
 Field<float> svg_grey(const Source& source, int width, int height) {
     const Field<Rgba8> drawing = read_svg(source, width, height, SvgEdges::kSmooth);
     Field<float> grey(width, height);
-    std::transform(drawing.begin(), drawing.end(), grey.begin(), grey_over_white);
+    parallel_for(height, kRows, [&](int y) {
+        std::ranges::transform(drawing.row(y), grey.row(y).begin(), grey_over_white);
+    });
     return grey;
 }
 

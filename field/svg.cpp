@@ -8,6 +8,7 @@
 
 #include "field/error.h"
 #include "field/files.h"
+#include "field/parallel.h"
 
 namespace cydonia {
 namespace {
@@ -91,6 +92,8 @@ std::uint8_t unmultiplied(std::uint32_t value, std::uint32_t alpha) {
     return static_cast<std::uint8_t>(std::min(255u, (value * 255u + alpha / 2) / alpha));
 }
 
+constexpr int kRows = 16;  // at a time
+
 // Cairo stores premultiplied ARGB in native words.
 Field<Rgba8> pixels_of(cairo_surface_t* surface) {
     cairo_surface_flush(surface);
@@ -98,7 +101,7 @@ Field<Rgba8> pixels_of(cairo_surface_t* surface) {
                        cairo_image_surface_get_height(surface), Rgba8{});
     const unsigned char* bytes = cairo_image_surface_get_data(surface);
     const int stride = cairo_image_surface_get_stride(surface);
-    for (int y = 0; y < image.height(); ++y) {
+    parallel_for(image.height(), kRows, [&](int y) {
         const auto* words =
             reinterpret_cast<const std::uint32_t*>(bytes + std::ptrdiff_t(y) * stride);
         for (Rgba8& pixel : image.row(y)) {
@@ -109,7 +112,7 @@ Field<Rgba8> pixels_of(cairo_surface_t* surface) {
                          unmultiplied(word >> 8 & 255u, alpha),
                          unmultiplied(word & 255u, alpha), std::uint8_t(alpha)};
         }
-    }
+    });
     return image;
 }
 
