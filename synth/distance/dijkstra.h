@@ -69,10 +69,16 @@ class LeastCost {
         : graph_(&graph),
           least_edge_(least_edge(graph)),
           labels_(static_cast<std::size_t>(graph.nodes())) {
-        for (int node = 0; node < graph.nodes(); ++node) {
-            const int x = graph.x_of(node), y = graph.y_of(node);
-            const bool inside = x >= 0 && y >= 0 && x < graph.width && y < graph.height;
-            if (!inside) labels_[node].cost = -kUnreached;  // nothing is cheaper
+        // Nothing is cheaper than the margin.
+        const auto wall = [&](int first, int last) {
+            for (int node = first; node < last; ++node) labels_[node].cost = -kUnreached;
+        };
+        const int rows = graph.height + 2 * graph.margin;
+        wall(0, graph.margin * graph.stride);
+        wall((rows - graph.margin) * graph.stride, graph.nodes());
+        for (int y = 0; y < graph.height; ++y) {
+            wall(graph.node(-graph.margin, y), graph.node(0, y));
+            wall(graph.node(graph.width, y), graph.node(graph.width + graph.margin, y));
         }
     }
 
