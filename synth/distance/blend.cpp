@@ -176,7 +176,7 @@ struct Ticket {
 void sum_features(const Work& work, int threads, Sums& sums, Progress& progress,
                   PassCounts& counts) {
     // Labels stay with their thread: in another's they would have to cross between the
-    // processors' caches, which made two threads no faster than one and a half.
+    // processors' caches.
     tbb::enumerable_thread_specific<LeastCost> paths(
         [&] { return LeastCost(work.ground.graph); });
     const int count = work.ground.features.count();

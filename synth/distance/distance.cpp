@@ -76,6 +76,26 @@ Field<float> blended(const Options& options, const Ground& ground, const Halting
     return heights;
 }
 
+// Steps 5 to 7.
+Field<float> heights_of(const Options& options, const Layout& layout,
+                        const Context& context) {
+    if (layout.features.count() == 0) {
+        context.progress->warn(
+            "distance: every generator lies at sea level, so no land rises");
+        return Field<float>(layout.graph.width, layout.graph.height);
+    }
+    context.progress->step("distance: features");
+    const Ground ground = layout.ground();
+    const std::vector<float> approximate = approximate_heights(ground, layout.halting);
+    std::optional<Explainer> explainer;
+    if (context.explain) {
+        explainer.emplace(*context.explain, options, ground, layout.halting, approximate);
+    }
+    if (options.preview) return by_sample(layout.graph, approximate);
+    return blended(options, ground, layout.halting, approximate,
+                   explainer ? &*explainer : nullptr, context);
+}
+
 // What is replaced takes its water with it.
 void lay_over(Terrain& terrain, const Field<float>& heights, const Options& options) {
     const auto scale = static_cast<float>(options.vertical_scale);
@@ -93,29 +113,11 @@ void lay_over(Terrain& terrain, const Field<float>& heights, const Options& opti
 Terrain run(const Options& options, const Terrain& terrain, const Context& context) {
     check(options, terrain);
     check_memory(options, static_cast<double>(terrain.heights.size()));
-    Progress& progress = *context.progress;
 
-    progress.step("distance: graph and generators");
+    context.progress->step("distance: graph and generators");
     const Layout layout = layout_of(options, terrain, context.seed);
     Terrain result = terrain;
-    if (layout.features.count() == 0) {
-        progress.warn("distance: every generator lies at sea level, so no land rises");
-        lay_water(result, options, layout.graph);
-        return result;
-    }
-    const Ground ground = layout.ground();
-
-    progress.step("distance: features");
-    const std::vector<float> approximate = approximate_heights(ground, layout.halting);
-    std::optional<Explainer> explainer;
-    if (context.explain) {
-        explainer.emplace(*context.explain, options, ground, layout.halting, approximate);
-    }
-    lay_over(result,
-             options.preview ? by_sample(layout.graph, approximate)
-                             : blended(options, ground, layout.halting, approximate,
-                                       explainer ? &*explainer : nullptr, context),
-             options);
+    lay_over(result, heights_of(options, layout, context), options);
     lay_water(result, options, layout.graph);
     return result;
 }

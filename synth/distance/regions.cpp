@@ -3,7 +3,7 @@
 #include "synth/distance/regions.h"
 
 #include <algorithm>
-#include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "field/error.h"
 #include "field/strokes.h"
@@ -18,32 +18,14 @@ Field<float> drawn(const Source& image, const Graph& graph) {
     return mask;
 }
 
-// Distance in cells from outside, up to `most`: two sweeps (Rosenfeld and Pfaltz 1968).
-Field<float> depth_inside(const Field<float>& mask, float most) {
+// Distance in cells from outside; 0 there.
+Field<float> depth_inside(const Field<float>& mask) {
+    Field<std::uint8_t> inside(mask.width(), mask.height());
+    std::ranges::transform(mask, inside.begin(), [](float m) { return m >= 0.5f; });
     Field<float> depth(mask.width(), mask.height());
-    for (std::size_t i = 0; i < mask.size(); ++i)
-        depth[i] = mask[i] >= 0.5f ? most : 0.0f;
-    const auto lower = [&](int x, int y, int dx, int dy, float length) {
-        if (!depth.contains(x + dx, y + dy)) return;
-        depth(x, y) = std::min(depth(x, y), depth(x + dx, y + dy) + length);
-    };
-    constexpr float kDiagonal = 1.41421356f;
-    for (int y = 0; y < depth.height(); ++y) {
-        for (int x = 0; x < depth.width(); ++x) {
-            lower(x, y, -1, 0, 1.0f);
-            lower(x, y, -1, -1, kDiagonal);
-            lower(x, y, 0, -1, 1.0f);
-            lower(x, y, 1, -1, kDiagonal);
-        }
-    }
-    for (int y = depth.height() - 1; y >= 0; --y) {
-        for (int x = depth.width() - 1; x >= 0; --x) {
-            lower(x, y, 1, 0, 1.0f);
-            lower(x, y, 1, 1, kDiagonal);
-            lower(x, y, 0, 1, 1.0f);
-            lower(x, y, -1, 1, kDiagonal);
-        }
-    }
+    const cv::Mat from(mask.height(), mask.width(), CV_8U, inside.data());
+    cv::Mat to(mask.height(), mask.width(), CV_32F, depth.data());
+    cv::distanceTransform(from, to, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     return depth;
 }
 
@@ -80,7 +62,7 @@ void close_to_others(Regions& regions, const Region& region, const Field<float>&
     const double width = graph.width * graph.spacing;
     const auto feather =
         static_cast<float>(std::max(region.feather.in(width) / graph.spacing, 1.0));
-    const Field<float> depth = depth_inside(mask, feather);
+    const Field<float> depth = depth_inside(mask);
     for (int y = 0; y < graph.height; ++y) {
         for (int x = 0; x < graph.width; ++x) {
             if (mask(x, y) < 0.5f) continue;

@@ -106,6 +106,16 @@ TEST(Options, CombineReplaces) {
     EXPECT_EQ(land(options, ground).heights, alone);
 }
 
+TEST(Options, CombineReplacesByFlatLandWhereNoneRises) {
+    Options options = one_peak();
+    set_range(options, 0.0, 0.0);
+    Terrain ground = flat(32, 32);
+    for (float& height : ground.heights) height = 1000.0f;
+    EXPECT_EQ(land(options, ground).heights, ground.heights);
+    options.combine = Options::Combine::kReplace;
+    EXPECT_EQ(land(options, ground).heights, Field<float>(32, 32));
+}
+
 TEST(Options, PreviewIsTheHighestFeature) {
     // With each peak alone on the land, the highest of them everywhere.
     Options options = one_peak();
