@@ -214,10 +214,7 @@ class LeastCost {
         const float* const weights = graph_->weights.data();
         const auto row = [](int node) { return static_cast<std::size_t>(node) * kHalf; };
         queue_.drain([&](Entry entry, Entry upcoming) {
-            for (const int north : {-graph_->stride, 0, graph_->stride}) {
-                __builtin_prefetch(&labels_[upcoming.node + north]);
-            }
-            __builtin_prefetch(weights + row(upcoming.node - graph_->stride));
+            __builtin_prefetch(&labels_[upcoming.node]);
             __builtin_prefetch(weights + row(upcoming.node));
             const int node = entry.node;
             const Label label = labels_[node];
