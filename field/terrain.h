@@ -19,6 +19,12 @@ struct ShadowImage {
     Field<std::uint8_t> target;  // same shape as the heights; 1 in shadow, 0 lit
     Sun sun;
     double min_iou = 0.85;  // the check fails below
+    // Same shape, 1 where the target counts; empty: everywhere. Outside, the land keeps
+    // its own shadows.
+    Field<std::uint8_t> window = {};
+    // Same shape, 1 where this image gave way because others contradict it; empty:
+    // nowhere.
+    Field<std::uint8_t> given_up = {};
 };
 
 // In Terrain::water: no water.

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr std::string_view kMagic = "cydonia terrain 2\n";
+constexpr std::string_view kMagic = "cydonia terrain 3\n";
 constexpr std::string_view kExtension = ".terrain";
 constexpr std::uint32_t kMaxSide = 1u << 16;
 constexpr std::uint32_t kMaxItems = 4096;
@@ -110,6 +110,8 @@ std::string packed(const Terrain& terrain) {
         out.field(image.target);
         out.value(image.sun);
         out.value(image.min_iou);
+        out.field(image.window);
+        out.field(image.given_up);
     }
     out.field(terrain.water);
     return out.all();
@@ -130,6 +132,8 @@ Terrain unpacked(std::string_view bytes) {
         image.target = in.field<std::uint8_t>();
         image.sun = in.value<Sun>();
         image.min_iou = in.value<double>();
+        image.window = in.field<std::uint8_t>();
+        image.given_up = in.field<std::uint8_t>();
         terrain.shadows.push_back(std::move(image));
     }
     terrain.water = in.field<float>();

@@ -28,8 +28,9 @@ Sun sun_of(const HeightCheck& asked) {
 
 ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& terrain,
                         Progress& progress) {
-    return {pareidolia::image_name(target),
-            pareidolia::shadow_target(target, terrain.heights.width(),
+    const pareidolia::ImageOptions options{.target = target};
+    return {pareidolia::image_name(options),
+            pareidolia::shadow_target(options, terrain.heights.width(),
                                       terrain.heights.height(), progress),
             sun};
 }
@@ -37,9 +38,8 @@ ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& ter
 void check_here(const HeightCheck& asked, const Request& request, Progress& progress) {
     const Sun sun = sun_of(asked);
     const Source height = open_source(asked.height), target = open_source(asked.target);
-    const fs::path folder = request.output.empty()
-                                ? fs::path("out") / pareidolia::image_name(height)
-                                : request.output;
+    const fs::path folder =
+        request.output.empty() ? fs::path("out") / asked.height.stem() : request.output;
     if (request.dry_run) {
         fmt::print("{} against {}, to {}\n", asked.height.string(), asked.target.string(),
                    (folder / "shadow").string());

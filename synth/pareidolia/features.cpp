@@ -49,11 +49,11 @@ Field<float> features(const Options& options, const Terrain& base,
     const Field<float>& land = base.heights;
     const int width = land.width(), height = land.height();
     const ShadowPlan plan = shadow_plan(image, base.spacing);
-    const double mean = options.mean_edge_weight;
+    const double mean = options.features.mean_edge_weight;
     const double lit = kLitShare * plan.rise / base.spacing / mean;
     const distance::EdgeOptions edges{.mean = mean,
-                                      .deviation = options.edge_weight_deviation,
-                                      .grain = options.grain.in(base.width()),
+                                      .deviation = options.features.edge_weight_deviation,
+                                      .grain = options.features.grain.in(base.width()),
                                       .octaves = kGrainOctaves};
     const std::uint64_t edge_seed = hash_of({context.seed, key("edge weights")});
     const distance::Graph graph =

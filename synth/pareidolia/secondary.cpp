@@ -59,9 +59,9 @@ Field<float> secondary_features(const Options& options, const distance::Graph& l
                                 const Field<float>& base, const Field<float>& bound,
                                 const Field<std::uint8_t>& band, std::uint64_t seed) {
     Field<float> heights(base.width(), base.height(), kNowhere);
-    const Field<float> noise =
-        normalised(noise_field(options.secondary_cost, base.width(), base.height(), 1.0,
-                               hash_of({seed, key("secondary cost")})));
+    const Field<float> noise = normalised(
+        noise_field(options.features.secondary_cost, base.width(), base.height(), 1.0,
+                    hash_of({seed, key("secondary cost")})));
     const auto raise = [&](const Place& place) {
         const auto [x, y] = cell_at(place, base.width(), base.height());
         const float room = std::max(0.0f, bound(x, y) - base(x, y));
@@ -69,7 +69,7 @@ Field<float> secondary_features(const Options& options, const distance::Graph& l
     };
 
     std::vector<distance::Start> peaks;
-    for (int i = 0; i < options.secondary_peaks; ++i) {
+    for (int i = 0; i < options.features.secondary_peaks; ++i) {
         const auto purpose = hash_of({seed, key("peak"), static_cast<std::uint64_t>(i)});
         if (const auto place = vacant_place(band, purpose)) {
             peaks.push_back({node_at(layout, *place), 0.0f});
@@ -82,7 +82,7 @@ Field<float> secondary_features(const Options& options, const distance::Graph& l
     paths.spread(peaks, distance::RawGrowth{peaks});
     // Where the land is finer than the layout, steps between its nodes close the gaps.
     const int steps = std::max(1, (base.width() + layout.width - 1) / layout.width);
-    for (int i = 0; i < options.secondary_ridges; ++i) {
+    for (int i = 0; i < options.features.secondary_ridges; ++i) {
         const auto purpose = hash_of({seed, key("ridge"), static_cast<std::uint64_t>(i)});
         const auto end = vacant_place(band, purpose);
         if (!end) continue;

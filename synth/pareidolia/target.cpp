@@ -23,8 +23,9 @@ Field<float> stretched(const Source& source, int width, int height, Progress& pr
 
 }  // namespace
 
-Field<std::uint8_t> shadow_target(const Source& source, int width, int height,
+Field<std::uint8_t> shadow_target(const ImageOptions& image, int width, int height,
                                   Progress& progress) {
+    const Source& source = image.target.value();
     const Field<float> grey = stretched(source, width, height, progress);
     Field<std::uint8_t> target(width, height);
     std::transform(grey.begin(), grey.end(), target.begin(),
@@ -43,8 +44,8 @@ Field<std::uint8_t> shadow_target(const Source& source, int width, int height,
     return target;
 }
 
-std::string image_name(const Source& source) {
-    std::string name = source.path.stem().string();
+std::string image_name(const ImageOptions& image) {
+    std::string name = image.target.value().path.stem().string();
     std::replace_if(
         name.begin(), name.end(),
         [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; }, '_');

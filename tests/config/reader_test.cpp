@@ -57,8 +57,8 @@ TEST_F(Reader, FullSceneOfTerrain) {
     const auto& p = stage<pareidolia::Options>(s, 3);
     EXPECT_EQ(p.images.at(0).azimuth, std::nullopt);
     EXPECT_EQ(p.images.at(0).elevation, radians(20.0));
-    EXPECT_EQ(p.images.at(0).target.name(), "ridges.svg");
-    EXPECT_EQ(p.secondary_peaks, 5);
+    EXPECT_EQ(p.images.at(0).target->name(), "ridges.svg");
+    EXPECT_EQ(p.features.secondary_peaks, 5);
 }
 
 TEST_F(Reader, FullSceneOfRender) {

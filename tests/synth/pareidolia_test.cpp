@@ -66,8 +66,8 @@ Terrain flat(int side) {
 Options options_for(const Source& target, double azimuth_degrees) {
     Options options;
     options.images = {{.target = target, .azimuth = radians(azimuth_degrees)}};
-    options.mean_edge_weight = 1.2;
-    options.edge_weight_deviation = 0.8;
+    options.features.mean_edge_weight = 1.2;
+    options.features.edge_weight_deviation = 0.8;
     return options;
 }
 
@@ -188,7 +188,7 @@ TEST(Features, ABoxIsCast) {
 TEST(Features, StayOnTheBaseFarFromTheImageWithoutSecondaryOnes) {
     const TargetFile file(box(128, 60, 60, 66, 66));
     Options options = options_for(file.source(), 90.0);
-    options.secondary_peaks = 0;
+    options.features.secondary_peaks = 0;
     const Terrain terrain = synthesised(options, 128);
     EXPECT_EQ(terrain.heights(5, 5), 0.0f);
     EXPECT_EQ(terrain.heights(120, 120), 0.0f);
@@ -209,7 +209,7 @@ TEST(Features, OneAndFourThreadsGiveTheSameBytes) {
 TEST(Target, OfAnotherSizeIsStretchedAndSaysSo) {
     const TargetFile file(box(50, 10, 10, 40, 40));
     Notes notes;
-    const auto target = shadow_target(file.source(), 100, 100, notes);
+    const auto target = shadow_target({.target = file.source()}, 100, 100, notes);
     EXPECT_EQ(target, box(100, 20, 20, 80, 80));
     EXPECT_NE(notes.text.find("50x50 pixels stretched over 100x100 cells"),
               std::string::npos)
@@ -231,7 +231,7 @@ TEST(Target, AllInShadowIsRefused) {
 TEST(BadOptions, AreRefused) {
     const TargetFile file(box(32, 10, 10, 20, 20));
     Options rough = options_for(file.source(), 90.0);
-    rough.edge_weight_deviation = rough.mean_edge_weight;
+    rough.features.edge_weight_deviation = rough.features.mean_edge_weight;
     EXPECT_NE(refusal(rough).find("edge_weight_deviation"), std::string::npos);
 
     Options night = options_for(file.source(), 90.0);
