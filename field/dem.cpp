@@ -75,4 +75,13 @@ Terrain read_dem(const Source& source, std::string* note) {
     return terrain;
 }
 
+std::optional<std::uint64_t> samples_of_dem(const Source& source) {
+    const QuietGdal quiet;
+    try {
+        if (!is_exr(source)) return samples_of_grid(source);
+    } catch (const Error&) {  // read_dem will say it
+    }
+    return std::nullopt;
+}
+
 }  // namespace cydonia

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "field/source.h"
 #include "field/terrain.h"
@@ -12,6 +15,9 @@ namespace cydonia {
 // warped to square metres, or the file is refused with the reason; `note` receives what
 // was done.
 Terrain read_dem(const Source& source, std::string* note = nullptr);
+
+// How many heights its header promises; none when that cannot be told beforehand.
+std::optional<std::uint64_t> samples_of_dem(const Source& source);
 
 // 32-bit float GeoTIFF in local metres, origin at the south-west corner.
 void write_geotiff(const std::filesystem::path& path, const Terrain& terrain);

@@ -137,6 +137,11 @@ OGRSpatialReference plane_of(GDALDataset& file) {
 
 }  // namespace
 
+std::uint64_t samples_of_grid(const Source& source) {
+    const Dataset file = opened(source);
+    return std::uint64_t(file->GetRasterXSize()) * std::uint64_t(file->GetRasterYSize());
+}
+
 DemGrid dem_grid(const Source& source, Notes& notes) {
     const Dataset file = opened(source);
     DemGrid grid;

@@ -29,6 +29,9 @@ using Notes = std::vector<std::string>;
 // The first band of a file that GDAL reads, turned north up.
 DemGrid dem_grid(const Source& source, Notes& notes);
 
+// The header of such a file only.
+std::uint64_t samples_of_grid(const Source& source);
+
 // Interpolates the cells that are not finite. Throws when they are more than kMostVoids
 // of all.
 constexpr double kMostVoids = 0.2;

@@ -4,13 +4,14 @@
 #include <variant>
 
 #include "synth/context.h"
+#include "synth/dem/dem.h"
 #include "synth/distance/distance.h"
 #include "synth/pareidolia/pareidolia.h"
 
 namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
-using StageOptions = std::variant<distance::Options, pareidolia::Options>;
+using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {
@@ -24,6 +25,7 @@ struct Method {
 
 inline Method method_of(const StageOptions& options) {
     struct Visitor {
+        Method operator()(const dem::Options&) const { return {"dem", dem::kVersion}; }
         Method operator()(const distance::Options&) const {
             return {"distance", distance::kVersion};
         }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "field/dem.h"
 #include "field/error.h"
 
 namespace cydonia {
@@ -77,6 +78,13 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         std::uint64_t operator()(const distance::Options& o) const {
             const std::uint64_t passes = std::min(kPasses, 200 * cells);
             return cells * (80 + 25 * threads) + (o.preview ? 0 : 2 * passes);
+        }
+        // The model is read whole; our own exr files pack a height into a byte at best.
+        std::uint64_t operator()(const dem::Options& o) const {
+            constexpr std::uint64_t kMost = std::uint64_t{16384} * 16384;
+            return 24 *
+                       std::min(kMost, samples_of_dem(o.source).value_or(o.source.size)) +
+                   16 * cells;
         }
         std::uint64_t operator()(const pareidolia::Options&) const { return 160 * cells; }
     };

@@ -15,6 +15,7 @@ namespace cydonia::config {
 
 void read(Table& t, Sun& sun);                // common.cpp
 void read(Table& t, NoiseOptions& noise);     // common.cpp
+void read(Table& t, dem::Options& o);         // dem.cpp
 void read(Table& t, distance::Options& o);    // distance.cpp
 void read(Table& t, pareidolia::Options& o);  // pareidolia.cpp
 

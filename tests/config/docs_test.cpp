@@ -99,6 +99,7 @@ std::vector<Documented> documented_defaults() {
         std::smatch match;
         if (line.find("method = \"pareidolia\"`") != line.npos)
             stage = "terrain.stage[1]";
+        if (line.find("method = \"dem\"`") != line.npos) stage = "terrain.stage[2]";
         if (std::regex_match(line, match, heading)) {
             prefix = match[1].str() + ".";
             prefix = in_plain_scene(prefix, stage);
@@ -129,6 +130,7 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "region = [{ image = \"ridges.svg\" }]\nwater = [{ image = \"ridges.svg\" }]\n"
         "[[terrain.stage]]\nmethod = \"pareidolia\"\nsolver = \"features\"\n"
         "[[terrain.stage.image]]\ntarget = \"ridges.svg\"\n"
+        "[[terrain.stage]]\nmethod = \"dem\"\nsource = \"profile.png\"\n"
         "[[render.camera]]\nname = \"a\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));
     const auto rows = documented_defaults();
@@ -148,13 +150,14 @@ TEST_F(Docs, DefaultsAreTheStructs) {
 
 TEST_F(Docs, WorkedExamplesRead) {
     const std::string text = manual(), fence = "```toml\n";
+    for (const char* name : {"andes.tif"}) std::ofstream(folder_ / name) << "a file";
     int examples = 0;
     for (auto at = text.find(fence); at != text.npos; at = text.find(fence, at)) {
         at += fence.size();
         EXPECT_EQ(complaint(text.substr(at, text.find("```", at) - at)), "");
         ++examples;
     }
-    EXPECT_EQ(examples, 2);
+    EXPECT_EQ(examples, 3);
 }
 
 }  // namespace

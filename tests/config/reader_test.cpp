@@ -40,7 +40,7 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 4u);
+    ASSERT_EQ(s.stages.size(), 5u);
 
     const auto& d = stage<distance::Options>(s, 0);
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
@@ -59,6 +59,12 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(p.images.at(0).elevation, radians(20.0));
     EXPECT_EQ(p.images.at(0).target->name(), "ridges.svg");
     EXPECT_EQ(p.features.secondary_peaks, 5);
+
+    const auto& m = stage<dem::Options>(s, 4);
+    EXPECT_EQ(m.source.name(), "profile.png");
+    EXPECT_EQ(m.position, (std::array{0.25, 0.75}));
+    EXPECT_TRUE(m.fit);
+    EXPECT_EQ(m.vertical_scale, 1.5);
 }
 
 TEST_F(Reader, FullSceneOfRender) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "field/terrain.h"
+#include "synth/context.h"
+#include "synth/dem/options.h"
+
+namespace cydonia::dem {
+
+// A real elevation model in place of the land so far: heights as in the model, metres
+// above its own zero, times vertical_scale. A cell depends on the model around it only.
+// Throws bad_request, with both sizes, when the window leaves the model.
+Terrain run(const Options& options, const Terrain& terrain, const Context& context);
+
+inline constexpr int kVersion = 1;  // raised when the same options give other heights
+
+}  // namespace cydonia::dem

@@ -1,0 +1,81 @@
+#include "synth/dem/window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "field/parallel.h"
+
+namespace cydonia::dem {
+namespace {
+
+// Keys, "Cubic convolution interpolation for digital image processing", 1981, eq. 4.
+double keys(double x) {
+    x = std::abs(x);
+    if (x < 1.0) return (1.5 * x - 2.5) * x * x + 1.0;
+    if (x < 2.0) return ((-0.5 * x + 2.5) * x - 4.0) * x + 2.0;
+    return 0.0;
+}
+
+// The cells first, first + 1, ... that one sample weighs; weights sum to 1.
+struct Taps {
+    int first = 0;
+    std::vector<double> weights;
+};
+
+Taps taps_at(double begin, double cell, int sample) {
+    const double stretch = std::max(1.0, cell);
+    const double at = begin + (sample + 0.5) * cell - 0.5;  // in centres
+    Taps taps;
+    taps.first = static_cast<int>(std::ceil(at - 2.0 * stretch));
+    double sum = 0.0;
+    for (int i = taps.first; i <= at + 2.0 * stretch; ++i)
+        sum += taps.weights.emplace_back(keys((i - at) / stretch));
+    for (double& weight : taps.weights) weight /= sum;
+    return taps;
+}
+
+std::vector<Taps> all_taps(double begin, double cell, int samples) {
+    std::vector<Taps> taps;
+    for (int i = 0; i < samples; ++i) taps.push_back(taps_at(begin, cell, i));
+    return taps;
+}
+
+// Rows [top, bottom) through the taps; the result is transposed, so that twice does both
+// axes.
+Field<float> across(const Field<float>& field, int top, int bottom,
+                    const std::vector<Taps>& columns) {
+    Field<float> result(bottom - top, static_cast<int>(columns.size()));
+    parallel_for(bottom - top, 16, [&](int y) {
+        const auto row = field.row(top + y);
+        const int last = field.width() - 1;
+        for (int x = 0; x < result.height(); ++x) {
+            const auto& [first, weights] = columns[std::size_t(x)];
+            double sum = 0.0;
+            for (std::size_t k = 0; k < weights.size(); ++k)
+                sum += weights[k] *
+                       double(row[std::size_t(std::clamp(first + int(k), 0, last))]);
+            result(y, x) = static_cast<float>(sum);
+        }
+    });
+    return result;
+}
+
+}  // namespace
+
+Field<float> sampled(const Field<float>& model, const Window& window, int width,
+                     int height) {
+    // Only the rows that some sample weighs.
+    const double reach = 2.0 * std::max(1.0, window.cell) + 1.0;
+    const int top = std::clamp(static_cast<int>(std::floor(window.north - reach)), 0,
+                               model.height() - 1);
+    const int bottom = std::clamp(
+        static_cast<int>(std::ceil(window.north + height * window.cell + reach)), top + 1,
+        model.height());
+    const Field<float> columns =
+        across(model, top, bottom, all_taps(window.west, window.cell, width));
+    return across(columns, 0, columns.height(),
+                  all_taps(window.north - top, window.cell, height));
+}
+
+}  // namespace cydonia::dem
