@@ -26,23 +26,6 @@ double ratio(std::size_t part, std::size_t whole) {
     return whole == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-int rays_of(const Mask& cast, const Mask& target) {
-    const int rays = target.empty() ? 0 : cast.width() / target.width();
-    if (rays < 1 || cast.width() != rays * target.width() ||
-        cast.height() != rays * target.height())
-        throw bad_request("a cast of {}x{} samples does not fit a target of {}x{} cells",
-                          cast.width(), cast.height(), target.width(), target.height());
-    return rays;
-}
-
-// Every cell as rays x rays samples.
-Mask repeated(const Mask& cells, int rays) {
-    Mask result(cells.width() * rays, cells.height() * rays);
-    for (int y = 0; y < result.height(); ++y)
-        for (int x = 0; x < result.width(); ++x) result(x, y) = cells(x / rays, y / rays);
-    return result;
-}
-
 // Shadow black, light white, as targets are drawn.
 void write_mask(const std::filesystem::path& path, Mask mask) {
     for (auto& m : mask) m = m ? 0 : 255;
@@ -81,20 +64,6 @@ void check_request(const Terrain& terrain) {
 }
 
 }  // namespace
-
-ShadowScore score(const Mask& cast, const Mask& target) {
-    const int rays = rays_of(cast, target);
-    std::size_t hit = 0, in_cast = 0, in_target = 0;
-    for (int y = 0; y < cast.height(); ++y)
-        for (int x = 0; x < cast.width(); ++x) {
-            const bool c = cast(x, y) != 0, t = target(x / rays, y / rays) != 0;
-            hit += c && t;
-            in_cast += c;
-            in_target += t;
-        }
-    return {ratio(hit, in_cast + in_target - hit), ratio(hit, in_cast),
-            ratio(hit, in_target)};
-}
 
 std::vector<ShadowReport> check(const Terrain& terrain,
                                 const std::filesystem::path& folder, Progress& progress) {

@@ -6,15 +6,11 @@
 
 #include "field/progress.h"
 #include "field/terrain.h"
+#include "render/shadow/score.h"
 
 namespace cydonia::render {
 
 inline constexpr int kCheckRays = 2;  // samples a cell side behind every IoU we state
-
-// How well cast shadows match a target. 1 is perfect; with an empty union IoU is 1.
-struct ShadowScore {
-    double iou = 0.0, precision = 0.0, recall = 0.0;
-};
 
 struct ShadowReport {
     std::string name;
@@ -23,9 +19,6 @@ struct ShadowReport {
     ShadowScore score;
     bool passed() const { return score.iou >= min_iou; }
 };
-
-// `cast` has rays x rays samples for each cell of `target`.
-ShadowScore score(const Field<std::uint8_t>& cast, const Field<std::uint8_t>& target);
 
 // Casts every shadow image of the terrain and writes cast.png, target.png and overlay.png
 // (hit, missed, spurious) into `folder` (`folder/<name>/` where there are several).

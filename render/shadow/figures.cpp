@@ -1,0 +1,153 @@
+#include "render/shadow/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "field/error.h"
+#include "field/quantise.h"
+#include "render/shadow/distractors.h"
+#include "render/shadow/outline.h"
+#include "render/shadow/soft.h"
+
+namespace cydonia::render {
+
+namespace {
+
+using Mask = Field<std::uint8_t>;
+
+constexpr double kTurns[] = {10, -10, 30, -30, 45, -45, 90, -90, 180};  // degrees
+constexpr double kRaised = 45.0;   // the raised sun's elevation, or
+constexpr double kAtLeast = 20.0;  // so much above the image's own
+
+std::vector<OtherSun> other_suns(const Sun& own) {
+    std::vector<OtherSun> result;
+    for (const double turn : kTurns)
+        result.push_back(
+            {{own.azimuth + radians(turn), own.elevation}, radians(turn), {}, {}});
+    const double raised = std::max(radians(kRaised), own.elevation + radians(kAtLeast));
+    result.push_back({{own.azimuth, std::min(raised, radians(89.0))}, 0.0, {}, {}});
+    return result;
+}
+
+// What traces are sought of.
+struct Sought {
+    const Mask& target;
+    Mask near;  // its outline
+    std::vector<Mask> others;
+};
+
+Trace trace(const CheckedLand& land, const Sun& sun, const Sought& sought) {
+    const Mask cast = land.caster.shadow(sun, 1);
+    return {correlation(cast, sought.target),
+            outline_shading(land.heights, land.spacing, sun, sought.near),
+            standing_out(cast, sought.target, sought.others)};
+}
+
+// Every given-up cell that wants shadow is a miss, every one that wants light is
+// spurious.
+void weigh_given_up(const ShadowImage& image, ShadowFigures& figures) {
+    if (image.given_up.empty()) return;
+    std::size_t cells = 0, dark = 0, missed = 0, spurious = 0;
+    for (std::size_t i = 0; i < image.target.size(); ++i) {
+        if (!image.window.empty() && !image.window[i]) continue;
+        const bool wanted = image.target[i] != 0, gave = image.given_up[i] != 0;
+        ++cells;
+        dark += wanted;
+        missed += gave && wanted;
+        spurious += gave && !wanted;
+    }
+    if (cells == 0 || dark + spurious == 0) return;
+    figures.given_up =
+        static_cast<double>(missed + spurious) / static_cast<double>(cells);
+    figures.bound =
+        static_cast<double>(dark - missed) / static_cast<double>(dark + spurious);
+}
+
+void check_shapes(const Field<float>& heights, const ShadowImage& image) {
+    const auto fits = [&](const Mask& mask) {
+        return mask.empty() || mask.same_shape(heights);
+    };
+    if (!image.target.same_shape(heights) || !fits(image.window) || !fits(image.given_up))
+        throw bad_request("the masks of '{}' have {}x{} cells, the terrain {}x{}",
+                          image.name, image.target.width(), image.target.height(),
+                          heights.width(), heights.height());
+}
+
+template <class Wanted, class Value>
+double mean_over(const ShadowFigures& figures, const Wanted& wanted, const Value& value) {
+    double sum = 0.0;
+    int count = 0;
+    for (const OtherSun& other : figures.other_suns)
+        if (wanted(other)) {
+            sum += value(other);
+            ++count;
+        }
+    return count ? sum / count : 0.0;
+}
+
+auto turned_by(double wanted_degrees) {
+    return [wanted_degrees](const OtherSun& other) {
+        return std::abs(std::abs(degrees(other.turned)) - wanted_degrees) < 0.5;
+    };
+}
+
+}  // namespace
+
+CheckedLand::CheckedLand(const Field<float>& raw, double cell)
+    : heights(heights_of(quantised(raw))), spacing(cell), caster(heights, cell) {}
+
+ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
+                             const ShadowImage& image) {
+    check_shapes(land.heights, image);
+    if (base && !base->heights.same_shape(land.heights))
+        throw bad_request("the base has {}x{} heights, the land {}x{}",
+                          base->heights.width(), base->heights.height(),
+                          land.heights.width(), land.heights.height());
+    const Mask& target = image.target;
+    const Mask& window = image.window;
+    ShadowFigures figures;
+
+    const Mask fine = land.caster.shadow(image.sun, 2);
+    figures.fine = score(fine, target, window);
+    figures.iou_frame = score(fine, target).iou;
+    figures.outline = outline_score(fine, target, window);
+    figures.thin_recall = thin_recall(fine, target, window);
+    figures.iou_4x4 = score(land.caster.shadow(image.sun, 4), target, window).iou;
+    figures.iou_soft = score(soft_shadow(land.caster, image.sun, 2), target, window).iou;
+    weigh_given_up(image, figures);
+
+    const Mask cast = land.caster.shadow(image.sun, 1);
+    figures.iou_1x1 = score(cast, target, window).iou;
+    const Sought sought{target, near_outline(target),
+                        distractors(target.width(), target.height())};
+    figures.standing_out = standing_out(cast, target, sought.others);
+    figures.other_suns = other_suns(image.sun);
+    for (OtherSun& other : figures.other_suns) {
+        other.land = trace(land, other.sun, sought);
+        if (base) other.base = trace(*base, other.sun, sought);
+    }
+
+    figures.land = land_figures(land.heights, land.spacing);
+    if (base) figures.base = land_figures(base->heights, base->spacing);
+    return figures;
+}
+
+double hiddenness(const ShadowFigures& figures, double turned_degrees) {
+    return mean_over(figures, turned_by(turned_degrees),
+                     [](const OtherSun& other) { return other.correlation(); });
+}
+
+double outline_ratio(const ShadowFigures& figures) {
+    return mean_over(figures, turned_by(90.0),
+                     [](const OtherSun& other) { return other.land.outline; });
+}
+
+double worst_standing_out(const ShadowFigures& figures) {
+    double worst = -1e9;
+    for (const OtherSun& other : figures.other_suns)
+        worst = std::max(worst, other.land.standing_out);
+    return worst;
+}
+
+}  // namespace cydonia::render

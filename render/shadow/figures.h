@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "field/terrain.h"
+#include "render/shadow/caster.h"
+#include "render/shadow/land_figures.h"
+#include "render/shadow/score.h"
+
+namespace cydonia::render {
+
+// Land as it is checked: heights rounded to POV-Ray's 16 bits, and their caster.
+struct CheckedLand {
+    // `heights` and `spacing` in metres. Throws bad_request as Caster does.
+    CheckedLand(const Field<float>& heights, double spacing);
+
+    Field<float> heights;
+    double spacing;
+    Caster caster;
+};
+
+// What is left of an image under one sun; all over the whole frame.
+struct Trace {
+    double correlation = 0.0;   // of the cast shadow with the target; 0 hides it
+    double outline = 1.0;       // outline_shading; 1 hides it
+    double standing_out = 0.0;  // from the distractors, in standard deviations
+};
+
+// A sun that should not show the image: the image's own, turned or raised.
+struct OtherSun {
+    Sun sun;
+    double turned = 0.0;  // radians from the image's own, clockwise; 0: raised
+    Trace land;
+    std::optional<Trace> base;
+
+    // The land's correlation, less the base's own.
+    double correlation() const {
+        return land.correlation - (base ? base->correlation : 0.0);
+    }
+};
+
+// All that is reported of one image; its window is where shadows count.
+struct ShadowFigures {
+    // Hard sun, in the window: 2x2 and 4x4 samples a cell, and at the cells' middles.
+    ShadowScore fine;
+    double iou_4x4 = 0.0, iou_1x1 = 0.0;
+    double iou_frame = 0.0;             // 2x2, everywhere
+    double iou_soft = 0.0;              // 2x2, half of the sun's disc hidden
+    double outline = 0.0;               // F-score of the outlines at one cell, 2x2
+    std::optional<double> thin_recall;  // of parts thinner than four cells
+    double given_up = 0.0;              // share of the window's cells that gave way
+    // The greatest IoU that is left where every given-up cell shows the wrong thing.
+    double bound = 1.0;
+
+    double standing_out = 0.0;  // under its own sun
+    std::vector<OtherSun> other_suns;
+
+    LandFigures land;
+    std::optional<LandFigures> base;
+};
+
+// `base` is the land before it was bent, null where that is not known: what is less the
+// base's is then left out. Throws bad_request where masks and heights differ in shape.
+ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
+                             const ShadowImage& image);
+
+// Correlation above the base's own with the sun turned so many degrees, mean of both
+// ways; 0: with the sun raised.
+double hiddenness(const ShadowFigures& figures, double turned_degrees);
+// Of the outlines at 90 degrees, mean of both ways.
+double outline_ratio(const ShadowFigures& figures);
+// The most that the image stands out under any other sun.
+double worst_standing_out(const ShadowFigures& figures);
+
+}  // namespace cydonia::render
