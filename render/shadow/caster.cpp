@@ -100,6 +100,17 @@ void check_request(const Field<float>& heights, double spacing) {
                 i % static_cast<std::size_t>(w), i / static_cast<std::size_t>(w));
 }
 
+// Whether any cell of the tile of samples at (x, y) is asked for.
+bool wanted(const Field<std::uint8_t>& where, int x, int y, int rays) {
+    if (where.empty()) return true;
+    const int east = std::min((x + kTile - 1) / rays, where.width() - 1);
+    const int south = std::min((y + kTile - 1) / rays, where.height() - 1);
+    for (int j = y / rays; j <= south; ++j)
+        for (int i = x / rays; i <= east; ++i)
+            if (where(i, j)) return true;
+    return false;
+}
+
 // Marks the rays of a packet that meet the mesh: tfar becomes -inf.
 void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
 #if RTC_VERSION_MAJOR >= 4
@@ -234,7 +245,15 @@ Caster::Caster(Caster&&) noexcept = default;
 Caster& Caster::operator=(Caster&&) noexcept = default;
 
 Field<std::uint8_t> Caster::shadow(const Sun& sun, int rays) const {
+    return shadow(sun, rays, {});
+}
+
+Field<std::uint8_t> Caster::shadow(const Sun& sun, int rays,
+                                   const Field<std::uint8_t>& where) const {
     const int w = scene_->width, h = scene_->height;
+    if (!where.empty() && (where.width() != w || where.height() != h))
+        throw bad_request("a mask of {}x{} cells does not fit {}x{} heights",
+                          where.width(), where.height(), w, h);
     const Vec3 to_sun = direction_to(sun);
     if (!(to_sun.z > 0.0))
         throw bad_request(
@@ -249,7 +268,8 @@ Field<std::uint8_t> Caster::shadow(const Sun& sun, int rays) const {
     Field<std::uint8_t> shadow(w * rays, h * rays);
     parallel_for((shadow.height() + kTile - 1) / kTile, [&](int band) {
         for (int x = 0; x < shadow.width(); x += kTile)
-            scene_->cast_tile(x, band * kTile, samples, shadow);
+            if (wanted(where, x, band * kTile, rays))
+                scene_->cast_tile(x, band * kTile, samples, shadow);
     });
     return shadow;
 }

@@ -22,6 +22,9 @@ class Caster {
     // height), 1 in shadow, 0 lit. Samples in the outer half cells stand on the mesh's
     // edge. Throws bad_request unless the sun is above the horizon.
     Field<std::uint8_t> shadow(const Sun& sun, int rays) const;
+    // The same where `where`, a value a cell, is not 0, and around; 0 elsewhere.
+    Field<std::uint8_t> shadow(const Sun& sun, int rays,
+                               const Field<std::uint8_t>& where) const;
 
   private:
     struct Scene;

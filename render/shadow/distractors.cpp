@@ -6,8 +6,6 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "render/shadow/score.h"
-
 namespace cydonia::render {
 
 namespace {
@@ -131,19 +129,6 @@ std::vector<Field<std::uint8_t>> distractors(int width, int height) {
         result.push_back(std::move(drawing).mask());
     }
     return result;
-}
-
-double standing_out(const Field<std::uint8_t>& cast, const Field<std::uint8_t>& target,
-                    const std::vector<Field<std::uint8_t>>& others) {
-    const double n = static_cast<double>(others.size());
-    double mean = 0.0, square = 0.0;
-    for (const auto& other : others) {
-        const double r = correlation(cast, other);
-        mean += r / n;
-        square += r * r / n;
-    }
-    const double spread = std::sqrt(std::max(0.0, square - mean * mean));
-    return spread > 0.0 ? (correlation(cast, target) - mean) / spread : 0.0;
 }
 
 }  // namespace cydonia::render

@@ -6,7 +6,7 @@
 
 #include "field/error.h"
 #include "field/quantise.h"
-#include "render/shadow/distractors.h"
+#include "render/shadow/lineup.h"
 #include "render/shadow/outline.h"
 #include "render/shadow/soft.h"
 
@@ -34,14 +34,14 @@ std::vector<OtherSun> other_suns(const Sun& own) {
 struct Sought {
     const Mask& target;
     Mask near;  // its outline
-    std::vector<Mask> others;
+    Lineup lineup;
 };
 
 Trace trace(const CheckedLand& land, const Sun& sun, const Sought& sought) {
     const Mask cast = land.caster.shadow(sun, 1);
     return {correlation(cast, sought.target),
             outline_shading(land.heights, land.spacing, sun, sought.near),
-            standing_out(cast, sought.target, sought.others)};
+            sought.lineup.standing_out(cast)};
 }
 
 // Every given-up cell that wants shadow is a miss, every one that wants light is
@@ -119,9 +119,8 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
 
     const Mask cast = land.caster.shadow(image.sun, 1);
     figures.iou_1x1 = score(cast, target, window).iou;
-    const Sought sought{target, near_outline(target),
-                        distractors(target.width(), target.height())};
-    figures.standing_out = standing_out(cast, target, sought.others);
+    const Sought sought{target, near_outline(target), Lineup(target)};
+    figures.standing_out = sought.lineup.standing_out(cast);
     figures.other_suns = other_suns(image.sun);
     for (OtherSun& other : figures.other_suns) {
         other.land = trace(land, other.sun, sought);

@@ -12,37 +12,66 @@ namespace cydonia::render {
 namespace {
 
 constexpr double kRadius = 0.53 / 2.0 * std::numbers::pi / 180.0;
-constexpr int kPairs = 12;
+constexpr int kPairs = 8;
+constexpr int kRim = 8;
 
-// The middle, and pairs on a sunflower's spiral (Vogel 1979): each stands for as much of
-// the disc, and any line through the middle halves them.
-std::vector<Sun> disc(const Sun& sun) {
+// So far from the disc's middle. On the horizon its lower part has set: light comes
+// level.
+Sun toward(const Sun& sun, double radius, double angle) {
+    return {sun.azimuth + radius * std::cos(angle) / std::cos(sun.elevation),
+            std::max(1e-3, sun.elevation + radius * std::sin(angle))};
+}
+
+// Places on a sunflower's spiral (Vogel 1979) and across: each stands for as much of the
+// disc, and any line through the middle halves them.
+std::vector<Sun> pairs(const Sun& sun) {
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    std::vector<Sun> result{sun};
+    std::vector<Sun> result;
     for (int i = 0; i < kPairs; ++i)
-        for (const double side : {-1.0, 1.0}) {
-            const double r = side * kRadius * std::sqrt((i + 0.75) / kPairs);
-            // On the horizon the lower part has set: its light comes level.
-            const double up = std::max(1e-3, sun.elevation + r * std::sin(golden * i));
+        for (const double side : {-kRadius, kRadius})
             result.push_back(
-                {sun.azimuth + r * std::cos(golden * i) / std::cos(sun.elevation), up});
+                toward(sun, side * std::sqrt((i + 0.75) / kPairs), golden * i));
+    return result;
+}
+
+// Cells that the disc's rim does not show all lit or all dark, and their neighbours.
+Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
+    Field<std::uint8_t> dark = caster.shadow(sun, 1);
+    for (int i = 0; i < kRim; ++i) {
+        const Field<std::uint8_t> cast =
+            caster.shadow(toward(sun, kRadius, 2.0 * std::numbers::pi * i / kRim), 1);
+        parallel_for(cast.height(), 64, [&](int y) {
+            for (int x = 0; x < cast.width(); ++x) dark(x, y) += cast(x, y);
+        });
+    }
+    Field<std::uint8_t> result(dark.width(), dark.height());
+    parallel_for(dark.height(), 16, [&](int y) {
+        const int south = std::min(dark.height() - 1, y + 1);
+        for (int x = 0; x < dark.width(); ++x) {
+            const int east = std::min(dark.width() - 1, x + 1);
+            for (int j = std::max(0, y - 1); j <= south; ++j)
+                for (int i = std::max(0, x - 1); i <= east; ++i)
+                    result(x, y) |= dark(i, j) != (dark(x, y) ? kRim + 1 : 0);
         }
+    });
     return result;
 }
 
 }  // namespace
 
 Field<std::uint8_t> soft_shadow(const Caster& caster, const Sun& sun, int rays) {
-    const std::vector<Sun> suns = disc(sun);
-    Field<std::uint8_t> hidden = caster.shadow(suns.front(), rays);
-    for (std::size_t i = 1; i < suns.size(); ++i) {
-        const Field<std::uint8_t> cast = caster.shadow(suns[i], rays);
+    const Field<std::uint8_t> where = penumbra(caster, sun);
+    const Field<std::uint8_t> hard = caster.shadow(sun, rays);
+    Field<std::uint8_t> hidden = hard;
+    for (const Sun& part : pairs(sun)) {
+        const Field<std::uint8_t> cast = caster.shadow(part, rays, where);
         parallel_for(cast.height(), 64, [&](int y) {
             for (int x = 0; x < cast.width(); ++x) hidden(x, y) += cast(x, y);
         });
     }
-    const auto half = static_cast<std::uint8_t>(suns.size() / 2);
-    for (auto& h : hidden) h = h > half;
+    for (int y = 0; y < hidden.height(); ++y)
+        for (int x = 0; x < hidden.width(); ++x)
+            hidden(x, y) = where(x / rays, y / rays) ? hidden(x, y) > kPairs : hard(x, y);
     return hidden;
 }
 
