@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "field/error.h"
+#include "field/utf8.h"
 #include "field/vec.h"
 
 namespace cydonia::config {
@@ -58,7 +59,7 @@ double percent(const Value& value, std::string_view expected) {
     return number;
 }
 
-// TOML text is valid UTF-8, so a control character is a byte below the space, or 0x7f.
+// In UTF-8 a control character is a byte below the space, or 0x7f.
 bool control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 std::string line_of_text(const Value& value, std::size_t longest) {
@@ -67,6 +68,7 @@ std::string line_of_text(const Value& value, std::size_t longest) {
     if (text->size() > longest)
         throw Wrong{fmt::format("text of {} bytes is too long; at most {}", text->size(),
                                 longest)};
+    if (!characters_of(*text)) throw Wrong{"text that is not UTF-8"};
     if (std::ranges::any_of(*text, control))
         throw Wrong{"text with line breaks or other control characters"};
     return *text;

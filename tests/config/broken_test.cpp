@@ -57,6 +57,17 @@ TEST_F(Broken, NestsTooDeep) {
             << deep.substr(0, 60);
 }
 
+TEST_F(Broken, TextThatIsNotUtf8) {
+    const std::string scene = kLeastScene +
+                              "[[terrain.stage]]\nmethod = 'pareidolia'\n"
+                              "solver = 'constrained'\nimage = [{ text = 'A' }]\n";
+    EXPECT_EQ(complaint(scene), "");
+    for (const char* bad : {"\xff", "a\xc3", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+        EXPECT_NE(complaint(scene, {std::string("terrain.stage[1].image[0].text=") + bad})
+                      .find("text that is not UTF-8"),
+                  std::string::npos);
+}
+
 TEST_F(Broken, DotsAndBracketsInTextAndCommentsAreNotNesting) {
     const std::string dots = repeated(".[{", 400);
     EXPECT_EQ(complaint("# " + dots + "\n" + kLeastScene + "# " + dots), "");

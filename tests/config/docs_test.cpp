@@ -35,6 +35,7 @@ std::map<std::string, std::string> values_of(const SceneSpec& scene) {
         for (const auto& line : lines_of(scene.stages[i].text))
             text += fmt::format("terrain.stage[{}].{}\n", i, line);
     for (const auto& line : lines_of(scene.render_text)) text += "render." + line + "\n";
+    for (const auto& line : lines_of(scene.frames_text)) text += "frames." + line + "\n";
 
     std::map<std::string, std::string> values;
     for (const auto& line : lines_of(text)) {
@@ -84,6 +85,9 @@ std::string needed_for(const std::string& path) {
         {"cost.less", "share=[0.0, 1.0]"}, {"noise.offset", "kind=ridged"},
         {"noise.gain", "kind=ridged"},     {"strata.hardness", "layers=3"},
     };
+    for (const char* key : {"faithful", "natural", "hidden"})
+        if (path == std::string("terrain.stage[1].") + key)
+            return "terrain.stage[1].solver=constrained";
     for (const auto& [end, need] : needs)
         if (path.ends_with(end)) return path.substr(0, path.rfind('.') + 1) + need;
     return "seed=1";

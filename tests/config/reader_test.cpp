@@ -40,7 +40,7 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 5u);
+    ASSERT_EQ(s.stages.size(), 6u);
 
     const auto& d = stage<distance::Options>(s, 0);
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
@@ -59,12 +59,35 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(p.images.at(0).elevation, radians(20.0));
     EXPECT_EQ(p.images.at(0).target->name(), "ridges.svg");
     EXPECT_EQ(p.features.secondary_peaks, 5);
+    EXPECT_EQ(p.features.holes, pareidolia::Holes::kIterative);
+    EXPECT_EQ(p.height_budget, 900.0);
+    EXPECT_EQ(p.images[0].reading, pareidolia::Reading::kAlpha);
+    EXPECT_EQ(p.images[0].threshold, 0.4);
+    EXPECT_TRUE(p.images[0].invert);
+    EXPECT_EQ(p.images[0].placing.position, (std::array{0.4, 0.5}));
+    EXPECT_EQ(p.images[0].placing.scale, 0.8);
+    EXPECT_EQ(p.images[0].placing.rotation, radians(-30.0));
 
     const auto& m = stage<dem::Options>(s, 4);
     EXPECT_EQ(m.source.name(), "profile.png");
     EXPECT_EQ(m.position, (std::array{0.25, 0.75}));
     EXPECT_TRUE(m.fit);
     EXPECT_EQ(m.vertical_scale, 1.5);
+
+    const auto& c = stage<pareidolia::Options>(s, 5);
+    EXPECT_EQ(c.solver, pareidolia::Solver::kConstrained);
+    EXPECT_EQ(c.constrained.faithful, 2.0);
+    EXPECT_EQ(c.constrained.natural, 0.5);
+    EXPECT_EQ(c.constrained.hidden, 0.0);
+    EXPECT_EQ(c.constrained.keep->name(), "profile.png");
+    ASSERT_EQ(c.images.size(), 2u);
+    EXPECT_EQ(c.images[0].text, "HI & <HELLO>");
+    EXPECT_EQ(c.images[0].font, "DejaVu Serif");
+    EXPECT_EQ(c.images[0].target, std::nullopt);
+    EXPECT_EQ(c.images[0].azimuth, radians(300.0));
+    EXPECT_EQ(c.images[0].elevation, std::nullopt);
+    EXPECT_EQ(c.images[1].reading, pareidolia::Reading::kPhotograph);
+    EXPECT_EQ(c.images[1].elevation, radians(25.0));
 }
 
 TEST_F(Reader, FullSceneOfRender) {
@@ -124,7 +147,7 @@ TEST_F(Reader, KeysChangeTheCanonicalTextOfTheirStageOnly) {
     const Scene scene = load(golden_text("full.toml"));
     const SceneSpec a = scene.at(0), b = scene.at(12);
     EXPECT_NE(a.stages[0].text, b.stages[0].text);
-    EXPECT_EQ(a.stages[3].text, b.stages[3].text);
+    EXPECT_EQ(a.stages[4].text, b.stages[4].text);
     EXPECT_NE(a.render_text, b.render_text);  // the sun moves
 }
 
