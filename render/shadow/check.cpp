@@ -9,18 +9,13 @@
 #include "field/quantise.h"
 #include "render/preview.h"
 #include "render/shadow/caster.h"
+#include "render/shadow/overlay.h"
 
 namespace cydonia::render {
 
 namespace {
 
 using Mask = Field<std::uint8_t>;
-
-// Near Okabe and Ito's palette, moved apart in lightness: any two differ by 30 CIELAB
-// units or more to the colour-blind (Machado et al. 2009).
-constexpr Rgb8 kHit{0, 45, 95};           // dark blue
-constexpr Rgb8 kMissed{240, 185, 20};     // yellow
-constexpr Rgb8 kSpurious{215, 100, 140};  // pink
 
 double ratio(std::size_t part, std::size_t whole) {
     return whole == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -30,24 +25,6 @@ double ratio(std::size_t part, std::size_t whole) {
 void write_mask(const std::filesystem::path& path, Mask mask) {
     for (auto& m : mask) m = m ? 0 : 255;
     write_png(path, mask);
-}
-
-// The three kinds of shadow over a faint relief.
-Field<Rgb8> overlay(const Mask& cast, const Mask& target, const Field<float>& relief) {
-    const int rays = cast.width() / relief.width();
-    Field<Rgb8> result(cast.width(), cast.height());
-    for (int y = 0; y < cast.height(); ++y)
-        for (int x = 0; x < cast.width(); ++x) {
-            const bool c = cast(x, y) != 0, t = target(x, y) != 0;
-            const Rgb8 colour = c && t ? kHit
-                                : t    ? kMissed
-                                : c    ? kSpurious
-                                       : Rgb8{255, 255, 255};
-            const double light = 0.8 + 0.2 * relief(x / rays, y / rays);
-            for (int i = 0; i < 3; ++i)
-                result(x, y)[i] = static_cast<std::uint8_t>(light * colour[i]);
-        }
-    return result;
 }
 
 void check_request(const Terrain& terrain) {
@@ -80,9 +57,9 @@ std::vector<ShadowReport> check(const Terrain& terrain,
         make_folder(place);
         write_mask(place / "cast.png", cast);
         write_mask(place / "target.png", target);
-        write_png(place / "overlay.png", overlay(cast, target, ground));
-        reports.push_back(
-            {image.name, image.sun, image.min_iou, score(cast, image.target)});
+        write_png(place / "overlay.png", overlay(cast, image, ground));
+        reports.push_back({image.name, image.sun, image.min_iou,
+                           score(cast, image.target, image.window)});
         progress.report(ratio(reports.size(), terrain.shadows.size()));
     }
     return reports;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "field/error.h"
@@ -142,10 +143,16 @@ double outline_ratio(const ShadowFigures& figures) {
                      [](const OtherSun& other) { return other.land.outline; });
 }
 
+double outline_ratio_of_base(const ShadowFigures& figures) {
+    return mean_over(figures, turned_by(90.0), [](const OtherSun& other) {
+        return other.base ? other.base->outline : 1.0;
+    });
+}
+
 double worst_standing_out(const ShadowFigures& figures) {
-    double worst = -1e9;
+    double worst = std::numeric_limits<double>::lowest();
     for (const OtherSun& other : figures.other_suns)
-        worst = std::max(worst, other.land.standing_out);
+        if (!turned_by(10.0)(other)) worst = std::max(worst, other.land.standing_out);
     return worst;
 }
 

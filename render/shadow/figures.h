@@ -70,7 +70,8 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
 double hiddenness(const ShadowFigures& figures, double turned_degrees);
 // Of the outlines at 90 degrees, mean of both ways.
 double outline_ratio(const ShadowFigures& figures);
-// The most that the image stands out under any other sun.
+double outline_ratio_of_base(const ShadowFigures& figures);
+// The most that the image stands out under a sun turned by 30 degrees or more, or raised.
 double worst_standing_out(const ShadowFigures& figures);
 
 }  // namespace cydonia::render
