@@ -33,6 +33,10 @@ Value::Array array_of(const toml::array& array, int origin) {
     return values;
 }
 
+std::string text_of(const toml::date& date) {
+    return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
+
 Value value_of(const toml::node& node, int origin) {
     Value value{position(node.source().begin, origin), Value::Moment{}};
     node.visit([&](const auto& n) {
@@ -40,6 +44,8 @@ Value value_of(const toml::node& node, int origin) {
             value.data = table_of(n, origin);
         else if constexpr (toml::is_array<decltype(n)>)
             value.data = array_of(n, origin);
+        else if constexpr (toml::is_date<decltype(n)>)
+            value.data = Value::Moment{text_of(n.get())};
         else if constexpr (!toml::is_chronological<decltype(n)>)
             value.data = n.get();
     });

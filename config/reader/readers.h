@@ -14,6 +14,7 @@ namespace cydonia::config {
 // fields. A new method is one such file and one line in terrain.cpp.
 
 void read(Table& t, Sun& sun);                // common.cpp
+void read(Table& t, Place& place);            // frames.cpp
 void read(Table& t, NoiseOptions& noise);     // common.cpp
 void read(Table& t, dem::Options& o);         // dem.cpp
 void read(Table& t, distance::Options& o);    // distance.cpp
@@ -30,6 +31,13 @@ struct RenderTable {
     std::string& text;
 };
 void read(Table& t, RenderTable& out);  // render.cpp
+
+struct FramesTable {
+    FramesSpec& frames;
+    std::string& text;
+};
+void read(Table& t, FramesTable& out,
+          const std::vector<render::CameraOptions>& cameras);  // frames.cpp
 
 // A sun that casts shadows: above the horizon and not overhead.
 struct SunElevation {

@@ -50,6 +50,8 @@ void read(Table& t, SceneSpec& scene) {
     t.table("terrain", terrain);
     RenderTable render{scene.render, scene.render_text};
     t.table("render", render);
+    FramesTable frames{scene.frames, scene.frames_text};
+    t.table("frames", frames, scene.render.cameras);
 }
 
 SceneSpec read_scene(const Value& root, Reading& reading, const std::string& name) {

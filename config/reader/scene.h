@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "field/source.h"
+#include "field/sun_path.h"
 #include "render/options.h"
 #include "synth/stage.h"
 
@@ -22,6 +24,25 @@ struct StageSpec {
     std::vector<Source> sources;  // every file it names
 };
 
+// The frames of a day over the land, and the video of them.
+struct FramesSpec {
+    enum class Sweep { kDay };
+    enum class Pace {
+        kLingering,  // slow where the image appears, fast where it is far
+        kEven,       // the same time from frame to frame
+    };
+    Sweep sweep = Sweep::kDay;
+    int count = 48;
+    double rate = 24.0;  // frames a second
+    Pace pace = Pace::kLingering;
+    double hold = 1.0;                // seconds that the video stands still on the image
+    std::string camera;               // empty: the first overhead, else the first
+    std::optional<Place> place;       // none: an arc through the first image's sun
+    std::optional<Date> date;         // with a place
+    std::optional<double> time_zone;  // hours ahead of UTC; none: by the longitude
+};
+inline constexpr int kMostFrames = 9999;
+
 // A scene file, typed and checked.
 struct SceneSpec {
     std::string name;  // of the scene's folder or file: names the output folder
@@ -31,6 +52,8 @@ struct SceneSpec {
     std::vector<StageSpec> stages;
     render::Options render;
     std::string render_text;  // canonical form of [render]
+    FramesSpec frames;
+    std::string frames_text;  // canonical form of [frames]
 };
 
 // A parsed scene file whose numbers may vary in time.

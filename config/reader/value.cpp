@@ -33,7 +33,9 @@ std::string described(const Value& value) {
             return fmt::format("the number {}", number);
         }
         std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-        std::string operator()(Value::Moment) const { return "a date or time"; }
+        std::string operator()(const Value::Moment& moment) const {
+            return moment.date.empty() ? "a time" : "the date " + moment.date;
+        }
     };
     return std::visit(Visitor{}, value.data);
 }

@@ -20,7 +20,9 @@ struct Position {
 // A TOML document as plain values that remember where they stand.
 struct Value {
     struct Entry;
-    struct Moment {};  // a date or a time: no scene key takes one
+    struct Moment {             // a date or a time
+        std::string date = {};  // "2026-06-21"; empty when there is a time
+    };
     using Array = std::vector<Value>;
     using Table = std::vector<Entry>;
 
