@@ -371,9 +371,9 @@ void print_pair(const std::string& name, const Hidden& made, const Terrain& base
     for (const ShadowImage& image : made.land.shadows) {
         const auto f = shadow_figures(land, &before, image);
         fmt::print("  {:6.4f} {:6.4f} {:6.4f} {:5.1f}% {:6.1f}", f.fine.iou, f.iou_1x1,
-                   f.bound, 100.0 * f.given_up, f.standing_out);
+                   f.given_up.bound, 100.0 * f.given_up.share, f.standing_out);
         ious.push_back(f.fine.iou);
-        gaps.push_back(f.bound - f.fine.iou);
+        gaps.push_back(f.given_up.bound - f.fine.iou);
     }
     fmt::print("  {:6.2f}\n", made.seconds);
     std::fflush(stdout);

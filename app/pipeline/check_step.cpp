@@ -1,7 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
+#include <variant>
 
 #include "app/pipeline/cache.h"
 #include "app/pipeline/job.h"
@@ -14,23 +15,31 @@ namespace cydonia {
 
 namespace {
 
-// Where render::check put them.
-std::vector<std::string> pictures_of(const render::ShadowReport& report, bool alone) {
-    const std::string folder = alone ? "shadow/" : "shadow/" + report.name + "/";
-    return {folder + "cast.png", folder + "target.png", folder + "overlay.png"};
+// The land before the first stage that hides an image; none where it is flat.
+std::optional<Field<float>> base_of(Job& job) {
+    const auto& stages = job.spec.stages;
+    const auto hides = [](const config::StageSpec& stage) {
+        return std::holds_alternative<pareidolia::Options>(stage.options);
+    };
+    const auto before = std::ranges::find_if(stages, hides) - stages.begin();
+    if (before == 0) return std::nullopt;
+    return job.land.after(static_cast<int>(before)).heights;
 }
 
-Made check_shadows(Job& job) {
+Made run_check(Job& job) {
     Made made{{}, {{"images", Json::array()}}};
-    const Terrain& terrain = job.land.finished();
-    if (terrain.shadows.empty()) return made;
-    const auto reports = render::check(terrain, job.folder / "shadow", job.progress);
-    for (const render::ShadowReport& report : reports) {
-        job.progress.note(score_text(report));
-        made.result["images"].push_back(json_of(report));
-        std::ranges::copy(pictures_of(report, reports.size() == 1),
-                          std::back_inserter(made.outputs));
+    if (job.land.finished().shadows.empty()) return made;
+    const auto base = base_of(job);
+    const fs::path folder = job.folder / "shadow";
+    const CheckedShadows checked =
+        check_shadows(job.land.finished(), base ? &*base : nullptr, folder, job.progress);
+    for (std::size_t i = 0; i < checked.reports.size(); ++i) {
+        Json image = json_of(checked.reports[i]);
+        image["figures"] = json_of(checked.figures[i]);
+        made.result["images"].push_back(image);
     }
+    for (const std::string& picture : shadow_pictures(checked.reports))
+        made.outputs.push_back("shadow/" + picture);
     return made;
 }
 
@@ -53,7 +62,7 @@ Step check_step(Job& job) {
         [&job] {
             return hash_text(fmt::format("{:016x} {:016x}", job.land.key(), job.program));
         },
-        [&job] { return check_shadows(job); },
+        [&job] { return run_check(job); },
         [&job](const Json& result) { gate(result, job); }};
 }
 

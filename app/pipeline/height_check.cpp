@@ -56,9 +56,9 @@ void check_here(const HeightCheck& asked, const Request& request, Progress& prog
 
     const OutputFolder claim(folder);
     progress.step("check");
-    const auto reports = render::check(terrain, folder / "shadow", progress);
-    for (const render::ShadowReport& report : reports) progress.note(score_text(report));
-    if (!request.force) stop_when_short(reports, folder / "shadow");
+    const CheckedShadows checked =
+        check_shadows(terrain, nullptr, folder / "shadow", progress);
+    if (!request.force) stop_when_short(checked.reports, folder / "shadow");
 }
 
 }  // namespace

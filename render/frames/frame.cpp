@@ -78,10 +78,12 @@ Field<Rgb> developed(Field<Rgb> acescg, double stops) {
 
 void deliver_frame(const std::filesystem::path& povray_exr,
                    const std::filesystem::path& folder, const std::string& name,
-                   const ColourOptions& colour, const Metadata& metadata) {
+                   const ColourOptions& colour, const Metadata& metadata,
+                   std::optional<double> exposure) {
     const Display display(colour);
     Field<Rgb> frame = acescg_of(read_exr_rgb(povray_exr));
-    const double stops = automatic_stops(frame) + colour.exposure;
+    const double stops =
+        (exposure ? *exposure : automatic_stops(frame)) + colour.exposure;
 
     Metadata told = metadata;
     told["cydonia:exposure"] = fmt::format("{:.3f} EV", stops);
@@ -90,6 +92,10 @@ void deliver_frame(const std::filesystem::path& povray_exr,
     write_exr(folder / (name + ".exr"), frame, told, Primaries::kAcesCg);
     write_png(folder / (name + ".png"),
               display.shown(developed(std::move(frame), stops)));
+}
+
+double own_exposure(const std::filesystem::path& povray_exr) {
+    return automatic_stops(acescg_of(read_exr_rgb(povray_exr)));
 }
 
 }  // namespace cydonia::render

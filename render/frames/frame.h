@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "field/image.h"
 #include "render/options.h"
@@ -12,6 +13,11 @@ namespace cydonia::render {
 // exposure) in `folder`.
 void deliver_frame(const std::filesystem::path& povray_exr,
                    const std::filesystem::path& folder, const std::string& name,
-                   const ColourOptions& colour, const Metadata& metadata);
+                   const ColourOptions& colour, const Metadata& metadata,
+                   std::optional<double> exposure = {});
+
+// EV that a frame gets by itself: its 90th percentile of light shown as 0.6 of white
+// before the view. `exposure` above replaces it, so that a sequence does not flicker.
+double own_exposure(const std::filesystem::path& povray_exr);
 
 }  // namespace cydonia::render

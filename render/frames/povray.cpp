@@ -1,11 +1,8 @@
 #include "render/frames/povray.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -14,6 +11,7 @@
 
 #include "field/error.h"
 #include "render/frames/child.h"
+#include "render/frames/program.h"
 
 namespace cydonia::render {
 namespace fs = std::filesystem;
@@ -24,11 +22,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
 constexpr std::size_t kKeptOutput = 64u << 10;       // its last words, and enough of them
 constexpr std::size_t kLongestMessage = 600;
-
-bool is_program(const fs::path& path) {
-    std::error_code none;
-    return fs::is_regular_file(path, none) && access(path.c_str(), X_OK) == 0;
-}
 
 // What POV-Ray makes under names of its own until the picture is whole; gone in the end.
 class Unfinished {
@@ -163,14 +156,7 @@ std::string in_words(std::chrono::seconds limit) {
 }  // namespace
 
 fs::path povray_program() {
-    const char* variable = std::getenv("PATH");
-    const std::string_view folders = variable ? variable : "";
-    for (std::size_t begin = 0; begin < folders.size();) {
-        const auto end = std::min(folders.find(':', begin), folders.size());
-        const fs::path program = fs::path(folders.substr(begin, end - begin)) / "povray";
-        if (end > begin && is_program(program)) return fs::absolute(program);
-        begin = end + 1;
-    }
+    if (const auto program = program_on_path("povray")) return *program;
     throw failure(
         "no povray on the PATH; install it: apt install povray povray-includes");
 }

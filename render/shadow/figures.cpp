@@ -45,36 +45,6 @@ Trace trace(const CheckedLand& land, const Sun& sun, const Sought& sought) {
             sought.lineup.standing_out(cast)};
 }
 
-// Every given-up cell that wants shadow is a miss, every one that wants light is
-// spurious.
-void weigh_given_up(const ShadowImage& image, ShadowFigures& figures) {
-    if (image.given_up.empty()) return;
-    std::size_t cells = 0, dark = 0, missed = 0, spurious = 0;
-    for (std::size_t i = 0; i < image.target.size(); ++i) {
-        if (!image.window.empty() && !image.window[i]) continue;
-        const bool wanted = image.target[i] != 0, gave = image.given_up[i] != 0;
-        ++cells;
-        dark += wanted;
-        missed += gave && wanted;
-        spurious += gave && !wanted;
-    }
-    if (cells == 0 || dark + spurious == 0) return;
-    figures.given_up =
-        static_cast<double>(missed + spurious) / static_cast<double>(cells);
-    figures.bound =
-        static_cast<double>(dark - missed) / static_cast<double>(dark + spurious);
-}
-
-void check_shapes(const Field<float>& heights, const ShadowImage& image) {
-    const auto fits = [&](const Mask& mask) {
-        return mask.empty() || mask.same_shape(heights);
-    };
-    if (!image.target.same_shape(heights) || !fits(image.window) || !fits(image.given_up))
-        throw bad_request("the masks of '{}' have {}x{} cells, the terrain {}x{}",
-                          image.name, image.target.width(), image.target.height(),
-                          heights.width(), heights.height());
-}
-
 template <class Wanted, class Value>
 double mean_over(const ShadowFigures& figures, const Wanted& wanted, const Value& value) {
     double sum = 0.0;
@@ -98,6 +68,35 @@ auto turned_by(double wanted_degrees) {
 CheckedLand::CheckedLand(const Field<float>& raw, double cell)
     : heights(heights_of(quantised(raw))), spacing(cell), caster(heights, cell) {}
 
+void check_shapes(const Field<float>& heights, const ShadowImage& image) {
+    const auto fits = [&](const Mask& mask) {
+        return mask.empty() || mask.same_shape(heights);
+    };
+    if (!image.target.same_shape(heights))
+        throw bad_request("the target of '{}' has {}x{} cells, the terrain {}x{}",
+                          image.name, image.target.width(), image.target.height(),
+                          heights.width(), heights.height());
+    if (!fits(image.window) || !fits(image.given_up))
+        throw bad_request("the masks of '{}' differ in shape from its target",
+                          image.name);
+}
+
+GivenUp given_up(const ShadowImage& image) {
+    if (image.given_up.empty()) return {};
+    std::size_t cells = 0, dark = 0, missed = 0, spurious = 0;
+    for (std::size_t i = 0; i < image.target.size(); ++i) {
+        if (!image.window.empty() && !image.window[i]) continue;
+        const bool wanted = image.target[i] != 0, gave = image.given_up[i] != 0;
+        ++cells;
+        dark += wanted;
+        missed += gave && wanted;
+        spurious += gave && !wanted;
+    }
+    if (cells == 0 || dark + spurious == 0) return {};
+    return {static_cast<double>(missed + spurious) / static_cast<double>(cells),
+            static_cast<double>(dark - missed) / static_cast<double>(dark + spurious)};
+}
+
 ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
                              const ShadowImage& image) {
     check_shapes(land.heights, image);
@@ -116,7 +115,7 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
     figures.thin_recall = thin_recall(fine, target, window);
     figures.iou_4x4 = score(land.caster.shadow(image.sun, 4), target, window).iou;
     figures.iou_soft = score(soft_shadow(land.caster, image.sun, 2), target, window).iou;
-    weigh_given_up(image, figures);
+    figures.given_up = given_up(image);
 
     const Mask cast = land.caster.shadow(image.sun, 1);
     figures.iou_1x1 = score(cast, target, window).iou;

@@ -40,6 +40,13 @@ struct OtherSun {
     }
 };
 
+// The cells of the window in which an image gave way to others.
+struct GivenUp {
+    double share = 0.0;  // of the window
+    double bound = 1.0;  // the IoU that is left where all of them show the wrong thing
+};
+GivenUp given_up(const ShadowImage& image);
+
 // All that is reported of one image; its window is where shadows count.
 struct ShadowFigures {
     // Hard sun, in the window: 2x2 and 4x4 samples a cell, and at the cells' middles.
@@ -49,9 +56,7 @@ struct ShadowFigures {
     double iou_soft = 0.0;              // 2x2, half of the sun's disc hidden
     double outline = 0.0;               // F-score of the outlines at one cell, 2x2
     std::optional<double> thin_recall;  // of parts thinner than four cells
-    double given_up = 0.0;              // share of the window's cells that gave way
-    // The greatest IoU that is left where every given-up cell shows the wrong thing.
-    double bound = 1.0;
+    GivenUp given_up;
 
     double standing_out = 0.0;  // under its own sun
     std::vector<OtherSun> other_suns;
@@ -59,6 +64,9 @@ struct ShadowFigures {
     LandFigures land;
     std::optional<LandFigures> base;
 };
+
+// Throws bad_request where the image's masks and the heights differ in shape.
+void check_shapes(const Field<float>& heights, const ShadowImage& image);
 
 // `base` is the land before it was bent, null where that is not known: what is less the
 // base's is then left out. Throws bad_request where masks and heights differ in shape.
