@@ -154,11 +154,6 @@ Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
     return cells;
 }
 
-float grey_over_white(Rgba8 pixel) {
-    const float luma = 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
-    return 1.0f - pixel[3] / 255.0f * (1.0f - luma / 255.0f);
-}
-
 Field<float> svg_grey(const Source& source, int width, int height) {
     const Field<Rgba8> drawing = read_svg(source, width, height, SvgEdges::kSmooth);
     Field<float> grey(width, height);

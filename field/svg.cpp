@@ -126,6 +126,15 @@ bool is_svg(const Source& source) {
     return first == '<';
 }
 
+std::array<double, 2> page_size(const Source& source) {
+    silence_glib();
+    const Handle handle = opened(
+        source.path.string(), read_text(source.path, kLargestSvg), SvgEdges::kSmooth);
+    const RsvgRectangle page = page_of(handle.get(), 0, 0);
+    if (!(page.width > 0.0 && page.height > 0.0)) return {0.0, 0.0};
+    return {page.width, page.height};
+}
+
 Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges) {
     return drawn_svg(source.path.string(), read_text(source.path, kLargestSvg), width,
                      height, edges);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "field/field.h"
@@ -20,5 +21,9 @@ Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edge
 // The same of a drawing's text; messages call it `name`.
 Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int width,
                        int height, SvgEdges edges);
+
+// Width and height of the drawing's own page; {0, 0} when it gives none. Throws
+// bad_request.
+std::array<double, 2> page_size(const Source& source);
 
 }  // namespace cydonia

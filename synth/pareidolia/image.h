@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "field/progress.h"
+#include "field/terrain.h"
+#include "synth/pareidolia/options.h"
+
+namespace cydonia::pareidolia {
+
+// Every image of a stage on the cells of its terrain, with its name and its sun. What
+// "auto" came to is said by a note. Throws bad_request when there are none or too many,
+// when one shows nothing, when its sun cannot cast a shadow, and, with the metres that it
+// needs, when its longest shadow does not fit the height budget.
+std::vector<ShadowImage> shadow_images(const Options& options, const Terrain& terrain,
+                                       Progress& progress);
+
+}  // namespace cydonia::pareidolia
