@@ -28,7 +28,8 @@ Sun sun_of(const HeightCheck& asked) {
 
 ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& terrain,
                         Progress& progress) {
-    const pareidolia::ImageOptions options{.target = target};
+    pareidolia::ImageOptions options;
+    options.target = target;
     return {pareidolia::image_name(options),
             pareidolia::shadow_target(options, terrain.heights.width(),
                                       terrain.heights.height(), progress),

@@ -12,7 +12,7 @@ namespace cydonia::render {
 namespace {
 
 constexpr double kRadius = 0.53 / 2.0 * std::numbers::pi / 180.0;
-constexpr int kPairs = 8;
+constexpr int kPairs = kDiscDirections / 2;
 constexpr int kRim = 8;
 
 // So far from the disc's middle. On the horizon its lower part has set: light comes
@@ -59,20 +59,28 @@ Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
 
 }  // namespace
 
-Field<std::uint8_t> soft_shadow(const Caster& caster, const Sun& sun, int rays) {
+Field<std::uint8_t> hidden_sun(const Caster& caster, const Sun& sun, int rays) {
     const Field<std::uint8_t> where = penumbra(caster, sun);
-    const Field<std::uint8_t> hard = caster.shadow(sun, rays);
-    Field<std::uint8_t> hidden = hard;
+    Field<std::uint8_t> hidden = caster.shadow(sun, rays);
+    parallel_for(hidden.height(), 64, [&](int y) {
+        for (int x = 0; x < hidden.width(); ++x)
+            if (hidden(x, y) && !where(x / rays, y / rays))
+                hidden(x, y) = kDiscDirections;
+    });
     for (const Sun& part : pairs(sun)) {
         const Field<std::uint8_t> cast = caster.shadow(part, rays, where);
         parallel_for(cast.height(), 64, [&](int y) {
-            for (int x = 0; x < cast.width(); ++x) hidden(x, y) += cast(x, y);
+            for (int x = 0; x < cast.width(); ++x)
+                if (where(x / rays, y / rays)) hidden(x, y) += cast(x, y);
         });
     }
-    for (int y = 0; y < hidden.height(); ++y)
-        for (int x = 0; x < hidden.width(); ++x)
-            hidden(x, y) = where(x / rays, y / rays) ? hidden(x, y) > kPairs : hard(x, y);
     return hidden;
+}
+
+Field<std::uint8_t> soft_shadow(const Caster& caster, const Sun& sun, int rays) {
+    Field<std::uint8_t> shadow = hidden_sun(caster, sun, rays);
+    for (auto& s : shadow) s = s > kDiscDirections / 2;
+    return shadow;
 }
 
 }  // namespace cydonia::render
