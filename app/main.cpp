@@ -30,6 +30,7 @@ void describe(CLI::App& app) {
 
 void add_commands(CLI::App& app, Action& action) {
     add_render(app, action);
+    add_sweep(app, action);
     add_synth(app, action);
     add_check(app, action);
     add_emit(app, action);

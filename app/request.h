@@ -22,8 +22,9 @@ struct Request {
     bool explain = false;  // stages show how they came to their land
 };
 
-// How far to go; each goal includes those before it.
-enum class Goal { kTerrain, kCheck, kEmit, kFrames };
+// How far to go; each goal includes those before it, but the sweep, which films frames of
+// its own.
+enum class Goal { kTerrain, kCheck, kEmit, kFrames, kSweep };
 
 std::string_view name_of(render::Quality quality);
 

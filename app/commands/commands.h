@@ -22,6 +22,7 @@ void add_render(CLI::App& app, Action& action);
 void add_synth(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_emit(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);

@@ -67,9 +67,13 @@ Step assets_step(Job& job) {
             [&job] { return emit_assets(job); }};
 }
 
-Step shot_step(Job& job, const render::CameraOptions& camera) {
+Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of) {
+    std::string what = "shot " + camera.name;
+    if (!of.camera.empty())
+        what += fmt::format(" of {} {} {}", of.camera, camera.sun->azimuth,
+                            camera.sun->elevation);
     return {shot_step_name(camera.name), Goal::kEmit, memory::of_emit(job.cells()),
-            [&job, camera] { return emit_key(job, "shot " + camera.name); },
+            [&job, what] { return emit_key(job, what); },
             [&job, camera] { return emit_shot(job, camera); }};
 }
 

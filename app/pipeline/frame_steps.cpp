@@ -59,30 +59,33 @@ void expect_whole(const fs::path& picture) try {
     throw failure("POV-Ray left half a picture: {}", error.what());
 }
 
-Made trace(Job& job, const std::string& frame) {
-    render::run_povray(job.folder / "pov", frame, thread_count(),
-                       time_limit(job.request.quality), job.progress);
+Made trace(Job& job, const std::string& frame, const FrameOf& of) {
+    render::run_povray(
+        job.folder / "pov", frame, of.threads ? of.threads : thread_count(),
+        time_limit(job.request.quality), of.progress ? *of.progress : job.progress);
     expect_whole(job.folder / "pov" / (frame + ".exr"));
     return {{"pov/" + frame + ".exr"}};
 }
 
-std::uint64_t delivery_key(const Job& job, const std::string& frame) {
+std::uint64_t delivery_key(const Job& job, const std::string& frame, const FrameOf& of) {
     const render::ColourOptions& colour = job.spec.render.colour;
-    const char* ocio = std::getenv("OCIO");
-    return hash_text(fmt::format(
-        "{:016x} {:016x} {:016x} {:016x} {} {} {} {} {}",
-        hash_of_file(job.folder / "pov" / (frame + ".exr")), job.program,
-        colour.config ? colour.config->hash : 0, ocio ? hash_of_file(ocio) : 0,
-        colour.display, colour.view, colour.exposure, job.spec.name, job.spec.seed));
+    return hash_text(
+        fmt::format("{:016x} {:016x} {:016x} {:016x} {} {} {} {} {} {} {} {}",
+                    hash_of_file(job.folder / "pov" / (frame + ".exr")), job.program,
+                    colour.config ? colour.config->hash : 0, ocio_hash(), colour.display,
+                    colour.view, colour.exposure, job.spec.name, job.spec.seed, of.camera,
+                    of.when, of.exposure ? fmt::format("{}", of.exposure()) : "its own"));
 }
 
-Made deliver(Job& job, const std::string& frame) {
+Made deliver(Job& job, const std::string& frame, const FrameOf& of) {
     make_folder(job.folder / "frames");
     Metadata metadata = job.metadata();
-    metadata["cydonia:camera"] = frame;
+    metadata["cydonia:camera"] = of.camera.empty() ? frame : of.camera;
+    if (!of.when.empty()) metadata["cydonia:when"] = of.when;
     metadata["cydonia:quality"] = name_of(job.request.quality);
     render::deliver_frame(job.folder / "pov" / (frame + ".exr"), job.folder / "frames",
-                          frame, job.spec.render.colour, metadata);
+                          frame, job.spec.render.colour, metadata,
+                          of.exposure ? std::optional(of.exposure()) : std::nullopt);
     return {{"frames/" + frame + ".exr", "frames/" + frame + ".png"}};
 }
 
@@ -99,15 +102,26 @@ std::string_view name_of(render::Quality quality) {
     return kNames[static_cast<int>(quality)];
 }
 
-std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera) {
+std::uint64_t ocio_hash() {
+    const char* ocio = std::getenv("OCIO");
+    return ocio ? hash_of_file(ocio) : 0;
+}
+
+std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
+                              const FrameOf& of) {
     const std::string frame = camera.name;
     const std::uint64_t pixels = pixels_of(camera);
-    return {{"trace " + frame, Goal::kFrames, memory::of_trace(job.cells(), pixels),
-             [&job, frame] { return trace_key(job, frame); },
-             [&job, frame] { return trace(job, frame); }},
-            {"deliver " + frame, Goal::kFrames, memory::of_delivery(pixels),
-             [&job, frame] { return delivery_key(job, frame); },
-             [&job, frame] { return deliver(job, frame); }}};
+    return {{.name = "trace " + frame,
+             .goal = Goal::kFrames,
+             .memory = memory::of_trace(job.cells(), pixels),
+             .key = [&job, frame] { return trace_key(job, frame); },
+             .run = [&job, frame, of] { return trace(job, frame, of); },
+             .before = [] { render::povray_program(); }},
+            {.name = "deliver " + frame,
+             .goal = Goal::kFrames,
+             .memory = memory::of_delivery(pixels),
+             .key = [&job, frame, of] { return delivery_key(job, frame, of); },
+             .run = [&job, frame, of] { return deliver(job, frame, of); }}};
 }
 
 }  // namespace cydonia

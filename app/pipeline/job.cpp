@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/sequence/film.h"
 #include "render/cameras.h"
 
 namespace fs = std::filesystem;
@@ -49,6 +50,7 @@ std::vector<Step> steps_of(Job& job) {
     for (const render::CameraOptions& camera : job.cameras()) {
         for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
     }
+    for (Step& step : day_steps(job)) steps.push_back(std::move(step));
     return steps;
 }
 

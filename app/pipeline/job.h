@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,17 +37,29 @@ struct Job {
     Metadata metadata() const;  // for the headers of what we write
 };
 
+// What sets a frame of a sequence apart from a still of the same camera.
+struct FrameOf {
+    std::string camera = {};       // whose view it is, for the metadata; empty: its own
+    std::string when = {};         // likewise; empty: nothing to say
+    int threads = 0;               // of POV-Ray; 0: all
+    Progress* progress = nullptr;  // null: the job's
+    std::function<double()> exposure = {};  // EV for the whole sequence; empty: its own
+};
+
 // The steps of a job, in the order in which they are done.
 std::vector<Step> stage_steps(Job& job);  // each after its explanation, if asked for
 Step export_step(Job& job);
 Step check_step(Job& job);
 Step assets_step(Job& job);
-Step shot_step(Job& job, const render::CameraOptions& camera);
-std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera);
+Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of = {});
+// The trace and the delivery.
+std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
+                              const FrameOf& of = {});
 
 // A frame is traced from what these steps wrote.
 inline constexpr const char* kAssetsStep = "emit land";
 std::string shot_step_name(const std::string& frame);
+std::uint64_t ocio_hash();  // of the config that $OCIO names, 0 for none
 
 // Every step of the scene, whatever the goal.
 std::vector<Step> steps_of(Job& job);

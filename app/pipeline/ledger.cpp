@@ -57,17 +57,20 @@ Ledger::Ledger(const fs::path& output_folder) : folder_(output_folder) {
 }
 
 const Entry* Ledger::finished(const std::string& step, std::uint64_t key) const {
+    const std::scoped_lock lock(*mutex_);
     const auto found = entries_.find(step);
     if (found == entries_.end() || found->second.key != key) return nullptr;
     return intact(folder_, found->second) ? &found->second : nullptr;
 }
 
 std::vector<std::string> Ledger::outputs_of(const std::string& step) const {
+    const std::scoped_lock lock(*mutex_);
     const auto found = entries_.find(step);
     return found == entries_.end() ? std::vector<std::string>{} : found->second.outputs;
 }
 
 const Entry& Ledger::record(const std::string& step, Entry entry) {
+    const std::scoped_lock lock(*mutex_);
     entry.sizes.clear();
     for (const std::string& output : entry.outputs) {
         entry.sizes.push_back(fs::file_size(folder_ / output));

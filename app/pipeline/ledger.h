@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,7 +24,8 @@ struct Entry {
 };
 
 // Which steps are finished in an output folder, kept in its .cache so that an interrupted
-// or repeated run does nothing twice.
+// or repeated run does nothing twice. Any thread may ask and record; an entry belongs to
+// who works on its step.
 class Ledger {
   public:
     // A missing or damaged ledger is an empty one.
@@ -41,6 +44,7 @@ class Ledger {
 
   private:
     std::filesystem::path folder_;
+    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
     std::map<std::string, Entry> entries_;
 };
 

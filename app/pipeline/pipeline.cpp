@@ -13,7 +13,6 @@
 #include "app/pipeline/output_folder.h"
 #include "app/threads.h"
 #include "field/files.h"
-#include "render/frames/povray.h"
 
 namespace fs = std::filesystem;
 
@@ -48,6 +47,11 @@ struct PlannedStep {
     bool finished;
 };
 
+// The sweep films frames of its own and leaves the stills alone.
+bool is_for(const Step& step, Goal goal) {
+    return step.goal == goal || (step.goal < goal && step.goal != Goal::kFrames);
+}
+
 // What is left to do for a goal, as far as it can be told before anything is done: a step
 // after one that will run is taken to run as well.
 std::vector<PlannedStep> plan_of(const std::vector<Step>& steps, Goal goal,
@@ -55,7 +59,7 @@ std::vector<PlannedStep> plan_of(const std::vector<Step>& steps, Goal goal,
     std::vector<PlannedStep> plan;
     bool all_before_finished = true;
     for (const Step& step : steps) {
-        if (step.goal > goal) continue;
+        if (!is_for(step, goal)) continue;
         const bool finished =
             all_before_finished && ledger.finished(step.name, step.key());
         plan.push_back({&step, finished});
@@ -86,7 +90,7 @@ void print_plan(const std::vector<PlannedStep>& plan, const Job& job) {
 void carry_out(const std::vector<Step>& steps, Goal goal, Job& job) {
     int done = 0;
     for (const Step& step : steps) {
-        if (step.goal > goal) continue;
+        if (!is_for(step, goal)) continue;
         const std::uint64_t key = step.key();
         const Entry* entry = job.ledger.finished(step.name, key);
         if (!entry) {
@@ -105,12 +109,6 @@ void write_manifest(const std::vector<Step>& steps, const Job& job) {
     write_text(file, text);
 }
 
-bool will_trace(const std::vector<PlannedStep>& plan) {
-    return std::ranges::any_of(plan, [](const PlannedStep& p) {
-        return !p.finished && p.step->goal == Goal::kFrames;
-    });
-}
-
 void make_here(Job& job, Goal goal) {
     const std::vector<Step> steps = steps_of(job);
     const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
@@ -118,7 +116,9 @@ void make_here(Job& job, Goal goal) {
 
     // Whatever can be refused is refused before any work begins.
     memory::refuse_unless_it_fits(predicted_peak(plan), memory::available());
-    if (will_trace(plan)) render::povray_program();
+    for (const PlannedStep& p : plan) {
+        if (!p.finished && p.step->before) p.step->before();
+    }
     const OutputFolder claim(job.folder);
 
     try {

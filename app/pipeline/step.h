@@ -28,6 +28,8 @@ struct Step {
     // Looks at the result, also of a step that was finished before, and throws to stop
     // here.
     std::function<void(const Json& result)> gate = {};
+    // Refuses or warns before any work begins; asked only of a step that will run.
+    std::function<void()> before = {};
 };
 
 }  // namespace cydonia

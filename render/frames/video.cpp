@@ -1,0 +1,149 @@
+#include "render/frames/video.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "field/error.h"
+#include "field/files.h"
+#include "render/frames/child.h"
+#include "render/frames/program.h"
+
+namespace cydonia::render {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
+constexpr std::chrono::hours kTimeLimit{2};
+constexpr std::size_t kKeptWords = 600;
+
+int held_frames(const Film& film) {
+    return static_cast<int>(std::lround(film.hold * film.rate));
+}
+
+// The frame of the image again and again, then what the format needs.
+std::string filters(const Film& film, std::string_view format) {
+    const int held = held_frames(film);
+    const std::string loop =
+        held > 0 ? fmt::format("loop=loop={}:size=1:start={},", held, film.still) : "";
+    // Counted anew: the loop leaves a gap that would be filled with a frame too many.
+    return loop + fmt::format("setpts=N/({}*TB),", film.rate) + std::string(format);
+}
+
+// Two threads whatever the machine has: the same film everywhere.
+std::vector<std::string> as_mp4(const Film& film) {
+    return {"-vf",
+            filters(film,
+                    "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
+                    "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"),
+            "-c:v", "libx264", "-preset", "slow", "-crf", "18", "-threads", "2",
+            // Players must know the colours; the pictures are encoded for sRGB.
+            "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc",
+            "iec61966-2-1", "-color_range", "tv", "-movflags", "+faststart"};
+}
+
+std::vector<std::string> as_webp(const Film& film) {
+    return {"-vf",      filters(film, "scale=w='min(480,iw)':h=-1:flags=lanczos"),
+            "-c:v",     "libwebp_anim",
+            "-quality", "75",
+            "-loop",    "0"};
+}
+
+std::vector<std::string> arguments(const Film& film, const fs::path& file) {
+    std::vector<std::string> words{"-nostdin",
+                                   "-hide_banner",
+                                   "-loglevel",
+                                   "error",
+                                   "-nostats",
+                                   "-progress",
+                                   "pipe:1",
+                                   "-framerate",
+                                   fmt::format("{}", film.rate),
+                                   "-start_number",
+                                   "1",
+                                   "-i",
+                                   film.name + "-%04d.png"};
+    const auto how = file.extension() == ".mp4" ? as_mp4(film) : as_webp(film);
+    words.insert(words.end(), how.begin(), how.end());
+    const std::vector<std::string> out{"-an", "-fflags", "+bitexact", "-y",
+                                       fs::absolute(file).string()};
+    words.insert(words.end(), out.begin(), out.end());
+    return words;
+}
+
+// A line of -progress: "out_time_us=250081".
+bool is_report(std::string_view line) {
+    const auto equals = line.find('=');
+    return line.empty() || (equals != line.npos &&
+                            std::ranges::all_of(line.substr(0, equals), [](char c) {
+                                return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
+                                       c == '_';
+                            }));
+}
+
+// Takes whole lines out of `output`: "frame=12" tells how far it is; what is no report is
+// an error.
+void take(std::string& output, int& frame, std::string& words) {
+    std::size_t begin = 0;
+    for (auto end = output.find('\n'); end != output.npos;
+         end = output.find('\n', begin)) {
+        const std::string_view line = std::string_view(output).substr(begin, end - begin);
+        constexpr std::string_view kFrame = "frame=";
+        if (line.starts_with(kFrame))
+            std::from_chars(line.data() + kFrame.size(), line.data() + line.size(),
+                            frame);
+        else if (!is_report(line) && words.size() < kKeptWords)
+            words.append(words.empty() ? "" : " ").append(line);
+        begin = end + 1;
+    }
+    output.erase(0, begin);
+    if (output.size() > kKeptWords) output.clear();  // no line is that long
+}
+
+void expect_success(int outcome, const fs::path& file, const std::string& words) {
+    if (outcome < 0)
+        throw failure("ffmpeg was killed by signal {} ({}) while it made {}", -outcome,
+                      strsignal(-outcome), file.string());
+    if (outcome != 0)
+        throw failure("ffmpeg could not make {}: {}", file.string(),
+                      words.empty() ? "it did not say why" : words.substr(0, kKeptWords));
+}
+
+void run_ffmpeg(const Film& film, const fs::path& file, const fs::path& named,
+                Progress& progress) {
+    const auto deadline = Clock::now() + kTimeLimit;
+    const double frames = film.count + held_frames(film);
+    Child child(ffmpeg_program(), arguments(film, file), film.folder);
+    std::string output, words;
+    int frame = 0;
+    while (child.read(output, kPatience)) {
+        take(output, frame, words);
+        progress.report(std::clamp(frame / frames, 0.0, 1.0));
+        if (Clock::now() > deadline)
+            throw failure("ffmpeg was stopped: {} took longer than 2 h", named.string());
+    }
+    take(output += '\n', frame, words);
+    expect_success(child.outcome(), named, words);
+}
+
+}  // namespace
+
+fs::path ffmpeg_program() {
+    if (const auto program = program_on_path("ffmpeg")) return *program;
+    throw failure("no ffmpeg on the PATH; install it: apt install ffmpeg");
+}
+
+void encode_video(const Film& film, const fs::path& file, Progress& progress) {
+    write_atomically(file, [&](const fs::path& temporary) {
+        run_ffmpeg(film, temporary, file, progress);
+    });
+    progress.report(1.0);
+}
+
+}  // namespace cydonia::render
