@@ -31,14 +31,15 @@ enum class Reading {
 
 // One image and the sun that shows it.
 struct ImageOptions {
-    std::optional<Source> target;  // a picture; or
-    std::string text;              // a line of text
+    std::optional<Source> target = {};  // a picture; or
+    std::string text = {};              // a line of text
     std::string font = "DejaVu Sans Bold";
     Reading reading = Reading::kDark;
     double threshold = 0.5;  // 0 to 1
     bool invert = false;     // what would be lit is shadow
-    Placing placing;
-    std::optional<double> azimuth;  // radians; none: "auto", by the shortest longest run
+    Placing placing = {};
+    // Radians; none: "auto", by the shortest longest run.
+    std::optional<double> azimuth = {};
     // Radians; none: "auto", the highest sun whose longest shadow fits the height budget.
     std::optional<double> elevation = radians(25.0);
     double min_iou = 0.85;  // the check fails below

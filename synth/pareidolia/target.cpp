@@ -41,7 +41,9 @@ bool any_around(const Field<std::uint8_t>& target, int x, int y) {
 
 Ink ink_of(const Picture& picture, const Frame& frame,
            const Field<std::uint8_t>& target) {
-    const Size size = finest(picture, frame);
+    Size size = finest(picture, frame);
+    if (picture.has_pixels && std::max(picture.width, picture.height) <= 4096.0)
+        size = {static_cast<int>(picture.width), static_cast<int>(picture.height)};
     Field<float> fine = picture.lightness(size.width, size.height);
     for (float& l : fine) l = l < 0.5f ? 0.0f : 1.0f;
     Ink ink;

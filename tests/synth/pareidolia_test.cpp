@@ -15,7 +15,6 @@
 #include "synth/pareidolia/height_bound.h"
 #include "synth/pareidolia/light_frame.h"
 #include "synth/pareidolia/shadow_plan.h"
-#include "synth/pareidolia/target.h"
 
 using namespace cydonia;
 using namespace cydonia::pareidolia;
@@ -45,15 +44,6 @@ class TargetFile {
 
   private:
     std::filesystem::path path_;
-};
-
-// Remembers what the user was told.
-struct Notes final : Progress {
-    void step(std::string_view) override {}
-    void report(double) override {}
-    void note(std::string_view sentence) override { text += sentence; }
-    void warn(std::string_view) override {}
-    std::string text;
 };
 
 Terrain flat(int side) {
@@ -204,28 +194,6 @@ TEST(Features, OneAndFourThreadsGiveTheSameBytes) {
         heights[i] = synthesised(options, 96).heights;
     }
     EXPECT_EQ(heights[0], heights[1]);
-}
-
-TEST(Target, OfAnotherSizeIsStretchedAndSaysSo) {
-    const TargetFile file(box(50, 10, 10, 40, 40));
-    Notes notes;
-    const auto target = shadow_target({.target = file.source()}, 100, 100, notes);
-    EXPECT_EQ(target, box(100, 20, 20, 80, 80));
-    EXPECT_NE(notes.text.find("50x50 pixels stretched over 100x100 cells"),
-              std::string::npos)
-        << notes.text;
-}
-
-TEST(Target, WithoutShadowIsRefused) {
-    const TargetFile file(Field<std::uint8_t>(32, 32));
-    EXPECT_NE(refusal(options_for(file.source(), 90.0)).find("no shadow"),
-              std::string::npos);
-}
-
-TEST(Target, AllInShadowIsRefused) {
-    const TargetFile file(Field<std::uint8_t>(32, 32, 1));
-    EXPECT_NE(refusal(options_for(file.source(), 90.0)).find("all shadow"),
-              std::string::npos);
 }
 
 TEST(BadOptions, AreRefused) {
