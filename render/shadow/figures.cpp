@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "field/error.h"
+#include "field/parallel.h"
 #include "field/quantise.h"
 #include "render/shadow/lineup.h"
 #include "render/shadow/outline.h"
@@ -122,10 +123,11 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
     const Sought sought{target, near_outline(target), Lineup(target)};
     figures.standing_out = sought.lineup.standing_out(cast);
     figures.other_suns = other_suns(image.sun);
-    for (OtherSun& other : figures.other_suns) {
+    parallel_for(static_cast<int>(figures.other_suns.size()), [&](int i) {
+        OtherSun& other = figures.other_suns[static_cast<std::size_t>(i)];
         other.land = trace(land, other.sun, sought);
         if (base) other.base = trace(*base, other.sun, sought);
-    }
+    });
 
     figures.land = land_figures(land.heights, land.spacing);
     if (base) figures.base = land_figures(base->heights, base->spacing);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRadius = 0.53 / 2.0 * std::numbers::pi / 180.0;
 constexpr int kPairs = kDiscDirections / 2;
-constexpr int kRim = 8;
+constexpr int kRim = 4;
 
 // So far from the disc's middle. On the horizon its lower part has set: light comes
 // level.

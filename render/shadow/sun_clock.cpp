@@ -20,7 +20,7 @@ constexpr double kHour = kPi / kClockSuns;
 constexpr double kLowest = 2.0;     // degrees: lower suns only draw the horizon
 constexpr double kFromRise = 30.0;  // degrees of azimuth
 constexpr int kAcross = 4, kDown = 3;
-constexpr int kTile = 400;           // pixels, the longer side
+constexpr int kTile = 320;           // pixels, the longer side
 constexpr int kText = 22, kGap = 4;  // pixels
 constexpr Rgb8 kPaper{24, 24, 26};
 constexpr Rgb8 kWriting{200, 200, 200};
@@ -74,7 +74,7 @@ cv::Mat lit(const CheckedLand& land, const Sun& sun, const cv::Size& size) {
     const auto bright =
         tones.begin() + static_cast<std::ptrdiff_t>(tones.size() * 9 / 10);
     std::nth_element(tones.begin(), bright, tones.end());
-    const double exposure = 0.85 / std::max(0.02f, *bright);
+    const double exposure = 0.72 / std::max(0.02f, *bright);
     return direct * exposure;
 }
 
@@ -161,11 +161,12 @@ Field<Rgb8> sun_clock(const CheckedLand& land, const Sun& own) {
     const cv::Mat sky = sky_of(land, size);
     const ClockSuns clock = clock_suns(own);
     Sheet sheet(size.width, size.height);
-    for (int i = 0; i < kClockSuns; ++i) {
+    parallel_for(kClockSuns, [&](int i) {
         const Sun& sun = clock.suns[static_cast<std::size_t>(i)];
         sheet.place(i, lit(land, sun, size), sky);
-        sheet.label(i, sun, i == clock.own);
-    }
+    });
+    for (int i = 0; i < kClockSuns; ++i)
+        sheet.label(i, clock.suns[static_cast<std::size_t>(i)], i == clock.own);
     return std::move(sheet).picture();
 }
 

@@ -328,8 +328,8 @@ TEST(SunClock, GoesFromEastToWestThroughItsOwnSun) {
 TEST(SunClock, ShowsEverySun) {
     const CheckedLand land(fractal(60, 40, 20.0f, 5), 1.0);
     const Field<Rgb8> clock = sun_clock(land, sun_at(120.0, 25.0));
-    EXPECT_GT(clock.width(), 1600);
-    EXPECT_GT(clock.height(), 800);
+    EXPECT_GT(clock.width(), 1280);
+    EXPECT_GT(clock.height(), 640);
     std::set<std::array<std::uint8_t, 3>> colours(clock.begin(), clock.end());
     EXPECT_GT(colours.size(), 500u);
     EXPECT_EQ(colours.count({255, 190, 40}), 1u);  // the frame of its own sun
