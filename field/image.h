@@ -25,6 +25,9 @@ inline float grey_over_white(Rgba8 pixel) {
 // Names and values for a file's header: {"cydonia:seed", "7"}.
 using Metadata = std::map<std::string, std::string>;
 
+// How many pixels its header promises; 0 where it cannot be read.
+std::uint64_t pixels_of(const Source& source);
+
 // Images come from strangers: at most 16384 x 16384 pixels, refused before anything is
 // allocated. Every reader throws bad_request, naming the file and what is wrong with it.
 Field<Rgba8> read_rgba(const Source& source);

@@ -151,6 +151,15 @@ float grey_of(const float* values, const Layout& at) {
 
 }  // namespace
 
+std::uint64_t pixels_of(const Source& source) {
+    try {
+        const Reader reader(source.path);
+        return std::uint64_t(reader.spec().width) * std::uint64_t(reader.spec().height);
+    } catch (const Error&) {  // reading it will say why
+        return 0;
+    }
+}
+
 Field<Rgba8> read_rgba(const Source& source) {
     Reader reader(source.path);
     const Layout at = layout_of(reader.spec());

@@ -10,6 +10,7 @@
 
 #include "field/dem.h"
 #include "field/error.h"
+#include "field/image.h"
 
 namespace cydonia {
 namespace {
@@ -64,6 +65,14 @@ std::uint64_t ground_pixels(std::uint64_t cells) {
     return std::max(cells, std::min(16 * cells, std::uint64_t{4096} * 4096));
 }
 
+// A picture's own pixels, and those that a drawing or two tones of it are drawn with.
+std::uint64_t of_image(const pareidolia::ImageOptions& image, std::uint64_t cells) {
+    constexpr std::uint64_t kFinest = std::uint64_t{4096} * 4096;
+    const std::uint64_t own = image.target ? pixels_of(*image.target) : 0;
+    const std::uint64_t drawn = own > 0 ? own : 16 * cells;
+    return 8 * own + 20 * std::min(drawn, kFinest) + 16 * cells;
+}
+
 }  // namespace
 
 namespace memory {
@@ -86,7 +95,13 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::min(kMost, samples_of_dem(o.source).value_or(o.source.size)) +
                    16 * cells;
         }
-        std::uint64_t operator()(const pareidolia::Options&) const { return 160 * cells; }
+        // Reading an image comes before solving for all of them.
+        std::uint64_t operator()(const pareidolia::Options& o) const {
+            std::uint64_t needed = 160 * cells;
+            for (const pareidolia::ImageOptions& image : o.images)
+                needed = std::max(needed, of_image(image, cells));
+            return needed;
+        }
     };
     return kProgram + std::visit(Bytes{cells, threads}, options);
 }
