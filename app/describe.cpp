@@ -75,6 +75,7 @@ std::string figures_text(const Json& figures) {
     if (!figures.is_structured()) return figures.dump();
     std::string text;
     for (const auto& [name, value] : figures.items()) {
+        if (name == "suns") continue;  // ten of an image: the manifest has them
         if (!text.empty()) text += ", ";
         text +=
             figures.is_object() ? name + " " + figures_text(value) : figures_text(value);

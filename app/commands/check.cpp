@@ -34,6 +34,11 @@ void add_check(CLI::App& app, Action& action) {
         command->add_option("--target", heights->target, "with --height: dark is shadow")
             ->type_name("IMAGE")
             ->needs(height);
+    command
+        ->add_option("--window", heights->window,
+                     "with --height: white where shadows count, else everywhere")
+        ->type_name("IMAGE")
+        ->needs(height);
     add_making_options(*command, *request);
     height->needs(sun)->needs(target);
     for (const char* of_scenes : {"--set", "--explain"}) {

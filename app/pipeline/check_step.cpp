@@ -31,14 +31,15 @@ Made run_check(Job& job) {
     if (job.land.finished().shadows.empty()) return made;
     const auto base = base_of(job);
     const fs::path folder = job.folder / "shadow";
+    const Terrain& terrain = job.land.finished();
     const CheckedShadows checked =
-        check_shadows(job.land.finished(), base ? &*base : nullptr, folder, job.progress);
+        check_shadows(terrain, base ? &*base : nullptr, folder, job.progress);
     for (std::size_t i = 0; i < checked.reports.size(); ++i) {
         Json image = json_of(checked.reports[i]);
         image["figures"] = json_of(checked.figures[i]);
         made.result["images"].push_back(image);
     }
-    for (const std::string& picture : shadow_pictures(checked.reports))
+    for (const std::string& picture : shadow_pictures(terrain))
         made.outputs.push_back("shadow/" + picture);
     return made;
 }

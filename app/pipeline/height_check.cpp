@@ -9,6 +9,7 @@
 #include "app/pipeline/shadow_report.h"
 #include "app/threads.h"
 #include "field/dem.h"
+#include "field/strokes.h"
 #include "synth/pareidolia/target.h"
 
 namespace fs = std::filesystem;
@@ -24,6 +25,19 @@ Sun sun_of(const HeightCheck& asked) {
             asked.elevation);
     }
     return {radians(asked.azimuth), radians(asked.elevation)};
+}
+
+// White where shadows count.
+Field<std::uint8_t> window_asked(const HeightCheck& asked, const Terrain& terrain) {
+    if (asked.window.empty()) return {};
+    const Field<float> grey = read_grey_at(
+        open_source(asked.window), terrain.heights.width(), terrain.heights.height());
+    Field<std::uint8_t> window(grey.width(), grey.height());
+    std::ranges::transform(grey, window.begin(), [](float g) { return g >= 0.5f; });
+    if (std::ranges::none_of(window, [](auto w) { return w != 0; }))
+        throw bad_request("--window: {} has no white where shadows would count",
+                          asked.window.string());
+    return window;
 }
 
 ShadowImage image_asked(const Source& target, const Sun& sun, const Terrain& terrain,
@@ -54,6 +68,7 @@ void check_here(const HeightCheck& asked, const Request& request, Progress& prog
     memory::refuse_unless_it_fits(memory::of_check(terrain.heights.size()),
                                   memory::available());
     terrain.shadows = {image_asked(target, sun, terrain, progress)};
+    terrain.shadows.front().window = window_asked(asked, terrain);
 
     const OutputFolder claim(folder);
     progress.step("check");

@@ -11,6 +11,7 @@ namespace cydonia {
 struct HeightCheck {
     std::filesystem::path height;
     std::filesystem::path target;
+    std::filesystem::path window;           // white: shadows count; empty: everywhere
     double azimuth = 0.0, elevation = 0.0;  // of the sun, degrees
 };
 

@@ -128,7 +128,7 @@ std::string figures_text(const std::string& name, const render::ShadowFigures& f
 CheckedShadows check_shadows(const Terrain& terrain, const Field<float>* base,
                              const fs::path& folder, Progress& progress) {
     CheckedShadows checked;
-    checked.reports = render::check(terrain, folder, progress);
+    checked.reports = render::check(terrain, folder);
     for (const auto& report : checked.reports) progress.note(score_text(report));
     checked.figures = render::measure(terrain, base, folder, progress);
     for (std::size_t i = 0; i < checked.reports.size(); ++i) {
@@ -138,14 +138,14 @@ CheckedShadows check_shadows(const Terrain& terrain, const Field<float>* base,
     return checked;
 }
 
-std::vector<std::string> shadow_pictures(
-    const std::vector<render::ShadowReport>& reports) {
+std::vector<std::string> shadow_pictures(const Terrain& terrain) {
     std::vector<std::string> pictures;
-    for (const render::ShadowReport& report : reports) {
-        const std::string folder = reports.size() == 1 ? "" : report.name + "/";
+    for (const ShadowImage& image : terrain.shadows) {
+        const std::string folder = terrain.shadows.size() == 1 ? "" : image.name + "/";
         for (const char* name :
              {"cast.png", "target.png", "overlay.png", "sun-clock.png"})
             pictures.push_back(folder + name);
+        if (!image.window.empty()) pictures.push_back(folder + "window.png");
     }
     return pictures;
 }

@@ -35,8 +35,7 @@ CheckedShadows check_shadows(const Terrain& terrain, const Field<float>* base,
                              const std::filesystem::path& folder, Progress& progress);
 
 // The pictures that these checks write, below `folder`.
-std::vector<std::string> shadow_pictures(
-    const std::vector<render::ShadowReport>& reports);
+std::vector<std::string> shadow_pictures(const Terrain& terrain);
 
 // Throws Error with ExitCode::kCheckFellShort, scores and advice when any image fell
 // short; `folder` holds the pictures.

@@ -24,6 +24,12 @@ void write_mask(const fs::path& path, Mask mask) {
     write_png(path, mask);
 }
 
+// White where shadows count.
+void write_window(const fs::path& path, Mask window) {
+    for (auto& w : window) w = w ? 255 : 0;
+    write_png(path, window);
+}
+
 void check_request(const Terrain& terrain) {
     for (const ShadowImage& image : terrain.shadows) check_shapes(terrain.heights, image);
     // Rounding to 16 bits would hide them.
@@ -113,8 +119,7 @@ bool ShadowReport::passed() const {
     return score.iou >= min_iou && !drowned;
 }
 
-std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder,
-                                Progress& progress) {
+std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder) {
     check_request(terrain);
     if (terrain.shadows.empty()) return {};
     const CheckedLand land(terrain.heights, terrain.spacing);
@@ -127,6 +132,7 @@ std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder,
         write_mask(place / "cast.png", cast);
         write_mask(place / "target.png", repeated(image.target, kCheckRays));
         write_png(place / "overlay.png", overlay(cast, image, ground));
+        if (!image.window.empty()) write_window(place / "window.png", image.window);
         reports.push_back({image.name,
                            image.sun,
                            image.min_iou,
@@ -134,8 +140,6 @@ std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder,
                            given_up(image).share,
                            rival_of(image, terrain.shadows),
                            {}});
-        progress.report(static_cast<double>(reports.size()) /
-                        static_cast<double>(terrain.shadows.size()));
     }
     return reports;
 }
@@ -148,14 +152,16 @@ std::vector<ShadowFigures> measure(const Terrain& terrain, const Field<float>* b
     std::optional<CheckedLand> before;
     if (base) before.emplace(*base, terrain.spacing);
     std::vector<ShadowFigures> all;
+    const double parts = 2.0 * static_cast<double>(terrain.shadows.size());
     for (const ShadowImage& image : terrain.shadows) {
+        progress.report(2.0 * static_cast<double>(all.size()) / parts);
         all.push_back(shadow_figures(land, before ? &*before : nullptr, image));
+        progress.report((2.0 * static_cast<double>(all.size()) - 1.0) / parts);
         const auto place = place_of(terrain, image, folder);
         make_folder(place);
         write_png(place / "sun-clock.png", sun_clock(land, image.sun));
-        progress.report(static_cast<double>(all.size()) /
-                        static_cast<double>(terrain.shadows.size()));
     }
+    progress.report(1.0);
     return all;
 }
 

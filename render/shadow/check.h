@@ -30,11 +30,13 @@ struct ShadowReport {
     bool passed() const;
 };
 
-// Casts every shadow image of the terrain and writes cast.png, target.png and overlay.png
-// (overlay.h) into `folder` (`folder/<name>/` where there are several). Throws
+// Casts every shadow image of the terrain and writes cast.png, target.png, overlay.png
+// (overlay.h) and, where an image has a window, window.png (white: shadows count) into
+// `folder` (`folder/<name>/` where there are several): a tenth of a second at 512 x 512.
+// Throws
 // bad_request where masks and heights differ in shape or heights are not numbers.
 std::vector<ShadowReport> check(const Terrain& terrain,
-                                const std::filesystem::path& folder, Progress& progress);
+                                const std::filesystem::path& folder);
 
 // What takes longer: all figures of every image, in the reports' order, and sun-clock.png
 // beside the others. `base` are the heights before the land was bent, null where they are

@@ -18,6 +18,10 @@ Terrain small_land() {
     land.masks["sea"] = Field<float>(5, 3, 0.25f);
     ShadowImage image{"text", Field<std::uint8_t>(5, 3, 1), {1.0, 0.5}, 0.9};
     image.target(0, 0) = 0;
+    image.window = Field<std::uint8_t>(5, 3, 1);
+    image.given_up = Field<std::uint8_t>(5, 3);
+    image.window(1, 0) = 0;
+    image.given_up(2, 1) = 1;
     land.shadows = {image};
     return land;
 }
@@ -43,6 +47,8 @@ TEST(Cache, GivesBackTheWholeTerrain) {
     EXPECT_EQ(back->shadows[0].target, land.shadows[0].target);
     EXPECT_EQ(back->shadows[0].sun, land.shadows[0].sun);
     EXPECT_EQ(back->shadows[0].min_iou, 0.9);
+    EXPECT_EQ(back->shadows[0].window, land.shadows[0].window);
+    EXPECT_EQ(back->shadows[0].given_up, land.shadows[0].given_up);
 }
 
 TEST(Cache, MissingFile) {

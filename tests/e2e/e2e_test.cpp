@@ -77,10 +77,14 @@ TEST_F(EndToEnd, ShadowsShowTheTarget) {
     const Json& image = made["figures"]["check"]["images"].at(0);
     EXPECT_GE(image["iou"], 0.85);
     EXPECT_EQ(image["sun"]["azimuth"], 215.0);
+    const Json& figures = image["figures"];
+    EXPECT_GT(figures["iou_1x1"], 0.85);
+    EXPECT_GT(figures["standing_out"], 3.0);
+    EXPECT_EQ(figures["other_suns"]["suns"].size(), 10u);
     for (const char* file :
          {"terrain.exr", "terrain.tif", "preview.png", "shadow/cast.png",
-          "shadow/target.png", "shadow/overlay.png", "pov/overhead.pov",
-          "frames/overhead.exr", "frames/overhead.png"}) {
+          "shadow/target.png", "shadow/overlay.png", "shadow/sun-clock.png",
+          "pov/overhead.pov", "frames/overhead.exr", "frames/overhead.png"}) {
         EXPECT_GT(fs::file_size(out / file), 0u) << file;
         EXPECT_NE(std::ranges::find(made["outputs"], file), made["outputs"].end())
             << file;
@@ -191,6 +195,14 @@ TEST_F(EndToEnd, HeightsThatAreNotOurs) {
         run({folder.path()}, {"check", "--height", "out/land/terrain.tif", "--sun",
                               "35,25", "--target", "bar.svg"});
     EXPECT_EQ(wrong_sun.code, 3) << wrong_sun.err;
+    // A window that has nothing of the image: nothing is wrong in it.
+    folder.write("corner.svg",
+                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">)"
+                 R"(<path d="M0 0H10V10H0Z" fill="black"/></svg>)");
+    const Outcome no_window =
+        run({folder.path()}, {"check", "--height", "out/land/terrain.tif", "--sun",
+                              "215,25", "--target", "bar.svg", "--window", "corner.svg"});
+    EXPECT_EQ(no_window.code, 2) << no_window.err;
 }
 
 TEST_F(EndToEnd, DryRunWritesNothing) {

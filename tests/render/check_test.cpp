@@ -96,7 +96,7 @@ TEST(Score, ShapesThatDoNotFitAreRefused) {
 TEST_F(Check, ScoresTheRoundedHeightsAndWritesPictures) {
     Terrain terrain = mountains();
     terrain.shadows = {own_shadow(terrain, "hill", 1)};
-    const auto reports = check(terrain, folder_, progress_);
+    const auto reports = check(terrain, folder_);
     ASSERT_EQ(reports.size(), 1u);
     const Field<float> rounded = heights_of(quantised(terrain.heights));
     const Mask cast =
@@ -118,14 +118,69 @@ TEST_F(Check, ScoresTheRoundedHeightsAndWritesPictures) {
 TEST_F(Check, SeveralImagesHaveFoldersOfTheirOwn) {
     Terrain terrain = mountains();
     terrain.shadows = {own_shadow(terrain, "one", 0), own_shadow(terrain, "two", 3)};
-    EXPECT_EQ(check(terrain, folder_, progress_).size(), 2u);
+    EXPECT_EQ(check(terrain, folder_).size(), 2u);
     for (const char* name : {"one", "two"})
         for (const char* file : {"cast.png", "target.png", "overlay.png"})
             EXPECT_TRUE(fs::exists(folder_ / name / file)) << name << "/" << file;
 }
 
+TEST_F(Check, OnlyTheWindowCounts) {
+    Terrain terrain = mountains();
+    terrain.shadows = {own_shadow(terrain, "hill", 0)};
+    ShadowImage& image = terrain.shadows[0];
+    image.window = Mask(80, 60);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            image.window(x, y) = x < 40;
+            if (x >= 40) image.target(x, y) = 0;
+        }
+    const double inside = check(terrain, folder_)[0].score.iou;
+    EXPECT_GT(inside, 0.8);
+    const auto window = picture("window.png");
+    EXPECT_EQ(window(39, 20)[0], 255);
+    EXPECT_EQ(window(40, 20)[0], 0);
+    image.window = {};
+    EXPECT_LT(check(terrain, folder_)[0].score.iou, 0.7 * inside);
+}
+
+TEST_F(Check, MeasuresBesideTheOtherPictures) {
+    Terrain terrain = mountains();
+    terrain.shadows = {own_shadow(terrain, "one", 0), own_shadow(terrain, "two", 3)};
+    const auto reports = check(terrain, folder_);
+    const auto figures = measure(terrain, &terrain.heights, folder_, progress_);
+    ASSERT_EQ(figures.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(figures[i].fine.iou, reports[i].score.iou);
+        EXPECT_TRUE(figures[i].base.has_value());
+    }
+    EXPECT_FALSE(measure(terrain, nullptr, folder_, progress_).front().base.has_value());
+    for (const char* name : {"one", "two"})
+        EXPECT_TRUE(fs::exists(folder_ / name / "sun-clock.png")) << name;
+}
+
+TEST_F(Check, NamesWhoContradicts) {
+    Terrain terrain = mountains();
+    terrain.shadows = {own_shadow(terrain, "one", 0), own_shadow(terrain, "two", 3),
+                       own_shadow(terrain, "three", 5)};
+    for (ShadowImage& image : terrain.shadows) image.window = Mask(80, 60);
+    terrain.shadows[0].given_up = Mask(80, 60);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 20; ++x) {
+            terrain.shadows[0].window(x, y) = 1;
+            terrain.shadows[0].given_up(x, y) = x < 5;
+            terrain.shadows[1].window(x, y) = x < 2;
+            terrain.shadows[2].window(x, y) = x > 2;
+        }
+    const auto reports = check(terrain, folder_);
+    EXPECT_DOUBLE_EQ(reports[0].given_up, 0.25);
+    EXPECT_EQ(reports[0].rival, "two");
+    EXPECT_EQ(reports[1].given_up, 0.0);
+    EXPECT_EQ(reports[1].rival, "");
+}
+
 TEST_F(Check, NothingPromisedNothingWritten) {
-    EXPECT_TRUE(check(mountains(), folder_, progress_).empty());
+    EXPECT_TRUE(check(mountains(), folder_).empty());
+    EXPECT_TRUE(measure(mountains(), nullptr, folder_, progress_).empty());
     EXPECT_FALSE(fs::exists(folder_));
 }
 
@@ -133,10 +188,10 @@ TEST_F(Check, BadTerrainIsRefused) {
     Terrain terrain = mountains();
     terrain.shadows = {own_shadow(terrain, "hill", 0)};
     terrain.heights(3, 3) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_THROW(check(terrain, folder_, progress_), Error);
+    EXPECT_THROW(check(terrain, folder_), Error);
     terrain = mountains();
     terrain.shadows = {{"hill", Mask(10, 10), sun_at(300.0, 20.0), 0.85}};
-    EXPECT_THROW(check(terrain, folder_, progress_), Error);
+    EXPECT_THROW(check(terrain, folder_), Error);
     EXPECT_FALSE(fs::exists(folder_));
 }
 
@@ -181,7 +236,9 @@ TEST_F(Check, OverlayIsReadByTheColourBlind) {
     terrain.heights = Field<float>(40, 40);
     for (int y = 0; y < 40; ++y) terrain.heights(20, y) = 5.0f;
     terrain.shadows = {own_shadow(terrain, "wall", 5)};
-    check(terrain, folder_, progress_);
+    Mask& given_up = terrain.shadows[0].given_up = Mask(40, 40);
+    for (int x = 0; x < 40; ++x) given_up(x, 35) = 1;
+    check(terrain, folder_);
     const auto drawn = picture("overlay.png"), cast = picture("cast.png"),
                target = picture("target.png");
     const auto colour_of = [&](int in_cast, int in_target) {
@@ -192,10 +249,10 @@ TEST_F(Check, OverlayIsReadByTheColourBlind) {
         ADD_FAILURE() << "no such kind " << in_cast << in_target;
         return Rgba8{};
     };
-    const std::array<Rgba8, 4> kinds{colour_of(0, 0), colour_of(1, 1), colour_of(1, 0),
-                                     colour_of(0, 1)};
+    const std::array<Rgba8, 5> kinds{colour_of(0, 0), colour_of(1, 1), colour_of(1, 0),
+                                     colour_of(0, 1), drawn(10, 70)};
     for (const Matrix& blindness : kBlindness)
-        for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t a = 0; a < kinds.size(); ++a)
             for (std::size_t b = 0; b < a; ++b) {
                 const auto p = lab(kinds[a], blindness), q = lab(kinds[b], blindness);
                 EXPECT_GE(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 28.0)
@@ -220,6 +277,31 @@ TEST(Advice, NamesWhatFellShort) {
     EXPECT_NE(spurious.find("28% of the shadow falls outside"), std::string::npos);
     EXPECT_NE(spurious.find("Raise the sun"), std::string::npos) << spurious;
     EXPECT_EQ(spurious.find("Lower the sun"), std::string::npos) << spurious;
+}
+
+TEST(Advice, SaysWhichImageToMove) {
+    ShadowReport report = report_of(0.60, 0.99, 0.60);
+    report.given_up = 0.123;
+    report.rival = "horse";
+    const std::string text = advice(report);
+    EXPECT_NE(text.find("12.3% of its window gave way to 'horse'"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("Move the two apart"), std::string::npos) << text;
+    EXPECT_NE(text.find("violet"), std::string::npos) << text;
+    report.score = {0.9, 0.95, 0.95};
+    EXPECT_TRUE(report.passed());
+    EXPECT_EQ(advice(report), "");
+}
+
+TEST(Advice, AnImageLostAmongOtherShadowsDoesNotRead) {
+    ShadowReport report = report_of(0.95, 0.98, 0.97);
+    report.standing_out = 3.5;
+    EXPECT_TRUE(report.passed());
+    report.standing_out = 2.0;
+    EXPECT_FALSE(report.passed());
+    EXPECT_NE(advice(report).find("lost among the land's own"), std::string::npos);
+    report.min_iou = 0.0;  // nothing is asked
+    EXPECT_TRUE(report.passed());
 }
 
 }  // namespace
