@@ -6,7 +6,10 @@
 #include "field/random.h"
 #include "synth/distance/graph.h"
 #include "synth/pareidolia/height_bound.h"
+#include "synth/pareidolia/holes.h"
+#include "synth/pareidolia/region_tree.h"
 #include "synth/pareidolia/secondary.h"
+#include "synth/pareidolia/shadow_lines.h"
 #include "synth/pareidolia/shadow_plan.h"
 #include "synth/pareidolia/slopes.h"
 
@@ -22,6 +25,12 @@ constexpr double kCrestSlope = 3.0;
 constexpr int kGrainOctaves = 5;
 // Width of the anti-shadow band (step 4), of the terrain's width.
 constexpr double kAntiShadowReach = 0.03;
+// The steep side of a crest takes up this share of its shadow; beyond, land may be gentle
+// again.
+constexpr double kScarpShare = 0.5;
+// Holes stand this many thesis units above the shadow line (section 5.3.2), and fall by
+// this share of the light's slope.
+constexpr double kAbove = 0.5, kHoleFall = 0.6;
 
 Field<float> maximum(Field<float> a, const Field<float>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = std::max(a[i], b[i]);
@@ -31,6 +40,19 @@ Field<float> maximum(Field<float> a, const Field<float>& b) {
 Field<float> minimum(Field<float> a, const Field<float>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = std::min(a[i], b[i]);
     return a;
+}
+
+// `field` with what `over` says, where it says anything.
+Field<float> overlaid(Field<float> field, const Field<float>& over) {
+    for (std::size_t i = 0; i < field.size(); ++i)
+        if (over[i] != kNowhere) field[i] = over[i];
+    return field;
+}
+
+Field<float> without(Field<float> field, const Field<float>& holes) {
+    for (std::size_t i = 0; i < field.size(); ++i)
+        if (holes[i] != kNowhere) field[i] = kNowhere;
+    return field;
 }
 
 // Relief inside the shadows, 0 to 1.
@@ -65,35 +87,54 @@ Field<float> features(const Options& options, const Terrain& base,
         return Slopes{Field<float>(width, height, static_cast<float>(factor))};
     };
 
+    const bool iterative = options.features.holes == Holes::kIterative;
+    const RegionTree tree = iterative ? region_tree(image.target) : RegionTree{};
+    const Field<std::uint8_t> filled = iterative ? filled_shadows(tree) : image.target;
+    const auto lines_over = [&](const Field<float>& ground) {
+        return iterative
+                   ? lines_of_regions(plan, tree, ground,
+                                      thesis_units(kAbove).in(base.width()), kHoleFall)
+                   : lines_of_runs(plan, ground);
+    };
+
     // Complementary land first: shadows end on it.
-    const std::vector<float> lowest_crests = crest_heights(plan, land);
-    const float highest = *std::max_element(lowest_crests.begin(), lowest_crests.end());
+    const ShadowLines lowest = lines_over(land);
+    const float highest = *std::max_element(lowest.crests.begin(), lowest.crests.end());
     const Field<std::uint8_t> band = anti_shadow(image.target, kAntiShadowReach * width);
-    const Field<float> bound =
-        height_bound(land, image.target, band, image.sun.azimuth, plan.rise, highest);
+    Field<float> bound =
+        height_bound(land, filled, band, image.sun.azimuth, plan.rise, highest);
+    if (iterative) bound = overlaid(std::move(bound), lowest.holes);
     const distance::Graph layout = distance::layout_graph(graph, edges, edge_seed);
     const Field<float> secondary =
         secondary_features(options, layout, land, bound, band, context.seed);
-    const Field<float> ground = maximum(land, spread(sloped(uniform(lit)), secondary));
+    Field<float> ground = maximum(land, spread(sloped(uniform(lit)), secondary));
     context.progress->report(0.4);
 
-    const std::vector<float> crests = crest_heights(plan, ground);
-    const Field<float> primary = primary_features(plan, crests);
-    Field<float> heights =
-        maximum(ground, spread(sloped(flank_slopes(plan, lit, 1.0)), primary,
-                               constant_profiles(primary, base.spacing, mean)));
+    const ShadowLines lines = lines_over(ground);
+    Field<float> primary = primary_features(plan, lines.crests);
+    Field<float> generators = primary;
+    if (iterative) {
+        // Holes have points, no crests.
+        primary = without(std::move(primary), lines.holes);
+        generators = maximum(primary, hole_points(lines.holes, context.seed));
+        ground = overlaid(std::move(ground), lines.holes);
+    }
+    const Field<float> profiles = constant_profiles(primary, base.spacing, mean);
+    const Slopes flanks = flank_slopes(plan, lit, 1.0, iterative ? 1.0 : kScarpShare);
+    Field<float> heights = maximum(ground, spread(sloped(flanks), generators, profiles));
     context.progress->report(0.6);
 
+    heights = minimum(std::move(heights), ceiling(sloped(end_slopes(plan, filled, lit)),
+                                                  shadow_ends(plan, ground)));
     heights = minimum(std::move(heights),
-                      ceiling(sloped(end_slopes(plan, lit)), shadow_ends(plan, ground)));
-    heights =
-        minimum(std::move(heights), ceiling(sloped(crest_slopes(plan, lit)), primary));
+                      ceiling(sloped(crest_slopes(plan, filled, lit)), primary));
     heights =
         maximum(std::move(heights), spread(sloped(uniform(kCrestSlope / mean)), primary));
-    heights = minimum(std::move(heights),
-                      shadow_ceiling(plan, crests, inside_relief(plan, context.seed)));
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        if (primary[i] != kNowhere) heights[i] = primary[i];
+    heights =
+        minimum(std::move(heights),
+                shadow_ceiling(plan, lines.crests, inside_relief(plan, context.seed)));
+    heights = overlaid(std::move(heights), primary);
+    if (iterative) heights = overlaid(std::move(heights), lines.holes);
     context.progress->report(1.0);
     return heights;
 }

@@ -9,9 +9,6 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// The steep side of a crest takes up this share of its shadow; beyond, land may be gentle
-// again.
-constexpr double kScarpShare = 0.5;
 // How far in front of a crest land may rise to it freely, of the terrain's width, and how
 // steeply.
 constexpr double kFrontReach = 0.04;
@@ -25,9 +22,9 @@ Field<float> uniform(const ShadowPlan& plan, double factor) {
     return Field<float>(plan.width(), plan.height(), static_cast<float>(factor));
 }
 
-void mark_inside(const ShadowPlan& plan, Field<float>& factor) {
+void mark_inside(const Field<std::uint8_t>& inside, Field<float>& factor) {
     for (std::size_t i = 0; i < factor.size(); ++i)
-        if ((*plan.target)[i]) factor[i] = kInsideFactor;
+        if (inside[i]) factor[i] = kInsideFactor;
 }
 
 // What each direction's edges are multiplied by, 1 along the light.
@@ -47,10 +44,10 @@ std::vector<float> across_stretch(const distance::Graph& graph, double across,
 
 }  // namespace
 
-Slopes flank_slopes(const ShadowPlan& plan, double lit, double steep) {
+Slopes flank_slopes(const ShadowPlan& plan, double lit, double steep, double share) {
     Field<float> factor = uniform(plan, lit);
     for (const Run& run : plan.runs) {
-        const double scarp = std::max(kScarpShare * plan.length(run), 1.0);
+        const double scarp = std::max(share * plan.length(run), 1.0);
         each_cell(plan, run, [&](Cell c, double behind) {
             if (behind <= scarp) factor(c.x, c.y) = static_cast<float>(steep);
         });
@@ -58,7 +55,7 @@ Slopes flank_slopes(const ShadowPlan& plan, double lit, double steep) {
     return {std::move(factor)};
 }
 
-Slopes end_slopes(const ShadowPlan& plan, double lit) {
+Slopes end_slopes(const ShadowPlan& plan, const Field<std::uint8_t>& inside, double lit) {
     Field<float> factor = uniform(plan, lit);
     const int front = static_cast<int>(kFrontReach * plan.width() * plan.frame.density);
     for (const Run& run : plan.runs) {
@@ -67,13 +64,14 @@ Slopes end_slopes(const ShadowPlan& plan, double lit) {
             if (factor.contains(c.x, c.y)) factor(c.x, c.y) = kFrontFactor;
         }
     }
-    mark_inside(plan, factor);
+    mark_inside(inside, factor);
     return {std::move(factor)};
 }
 
-Slopes crest_slopes(const ShadowPlan& plan, double lit) {
+Slopes crest_slopes(const ShadowPlan& plan, const Field<std::uint8_t>& inside,
+                    double lit) {
     Field<float> factor = uniform(plan, lit);
-    mark_inside(plan, factor);
+    mark_inside(inside, factor);
     return {std::move(factor), kAcross};
 }
 

@@ -14,13 +14,14 @@ struct Slopes {
 };
 
 // Gentler than the light, so that nothing is in shadow, but steep on the far side of
-// crests.
-Slopes flank_slopes(const ShadowPlan& plan, double lit, double steep);
+// crests, for a share of each shadow.
+Slopes flank_slopes(const ShadowPlan& plan, double lit, double steep, double share);
 // How land may rise from where shadows end: gently, so that it casts nothing itself, but
-// as it likes inside the shadow and in front of a crest further down the light.
-Slopes end_slopes(const ShadowPlan& plan, double lit);
-// How land may rise from crests toward the sun.
-Slopes crest_slopes(const ShadowPlan& plan, double lit);
+// as it likes `inside` and in front of a crest further down the light.
+Slopes end_slopes(const ShadowPlan& plan, const Field<std::uint8_t>& inside, double lit);
+// How land may rise from crests toward the sun; as it likes `inside`.
+Slopes crest_slopes(const ShadowPlan& plan, const Field<std::uint8_t>& inside,
+                    double lit);
 
 distance::Graph scaled(const distance::Graph& graph, const Slopes& slopes,
                        const LightFrame& frame);

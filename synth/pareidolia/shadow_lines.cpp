@@ -1,0 +1,133 @@
+// Rusnell 2009, sections 5.3.1 and 5.3.2.
+#include "synth/pareidolia/shadow_lines.h"
+
+#include <algorithm>
+#include <span>
+
+#include "field/sample.h"
+
+namespace cydonia::pareidolia {
+namespace {
+
+// The shadow line along one row of the light frame, as heights over a plane that falls
+// with the light: level over shadow, rising over holes.
+class RowLines {
+  public:
+    // What the line gains where it enters a hole and with every sample in it.
+    RowLines(std::span<const std::uint8_t> depths, double enter, double gain,
+             std::span<double> line)
+        : depths_(depths), enter_(enter), gain_(gain), line_(line) {}
+
+    // A shadow of depth `level` over samples [first, past), its holes filled, that ends
+    // at `end`.
+    void lay_shadow(int first, int past, int level, double end) {
+        double at = end;
+        each_deeper(first, past, level,
+                    [&](int from, int to) { at -= enter_ + gain_ * (to - from); });
+        int shadow = first;
+        each_deeper(first, past, level, [&](int from, int to) {
+            std::fill(line_.begin() + shadow, line_.begin() + from, at);
+            lay_hole(from, to, level + 1, at + enter_);
+            at += enter_ + gain_ * (to - from);
+            shadow = to;
+        });
+        std::fill(line_.begin() + shadow, line_.begin() + past, at);
+    }
+
+  private:
+    // A hole, its islands filled, whose ground begins at `start`.
+    void lay_hole(int first, int past, int level, double start) {
+        for (int i = first; i < past; ++i) line_[i] = start + gain_ * (i - first);
+        each_deeper(first, past, level, [&](int from, int to) {
+            lay_shadow(from, to, level + 1, start + gain_ * (to - first));
+        });
+    }
+
+    // Calls visit(first, past) for what lies deeper than `level`.
+    template <class Visit>
+    void each_deeper(int first, int past, int level, const Visit& visit) const {
+        for (int i = first; i < past; ++i) {
+            if (depths_[i] <= level) continue;
+            const int from = i;
+            while (i < past && depths_[i] > level) ++i;
+            visit(from, i);
+        }
+    }
+
+    std::span<const std::uint8_t> depths_;
+    double enter_, gain_;
+    std::span<double> line_;
+};
+
+Field<std::uint8_t> depths_of(const RegionTree& tree) {
+    Field<std::uint8_t> depths(tree.region_at.width(), tree.region_at.height());
+    // Deeper than 253 shadow and light still alternate.
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const int depth = tree.depth_at(i);
+        depths[i] = static_cast<std::uint8_t>(depth < 254 ? depth : 254 + depth % 2);
+    }
+    return depths;
+}
+
+// The mean of what the samples in a cell say.
+class CellMeans {
+  public:
+    CellMeans(int width, int height) : sums_(width, height), counts_(width, height) {}
+    void add(Cell c, double value) {
+        sums_(c.x, c.y) += value;
+        ++counts_(c.x, c.y);
+    }
+    Field<float> means() const {
+        Field<float> means(sums_.width(), sums_.height(), kNowhere);
+        for (std::size_t i = 0; i < means.size(); ++i)
+            if (counts_[i] > 0) means[i] = static_cast<float>(sums_[i] / counts_[i]);
+        return means;
+    }
+
+  private:
+    Field<double> sums_;
+    Field<int> counts_;
+};
+
+}  // namespace
+
+ShadowLines lines_of_runs(const ShadowPlan& plan, const Field<float>& ground) {
+    return {crest_heights(plan, ground), {}};
+}
+
+ShadowLines lines_of_regions(const ShadowPlan& plan, const RegionTree& tree,
+                             const Field<float>& ground, double above, double fall) {
+    const LightFrame& frame = plan.frame;
+    const Field<std::uint8_t> depths = rotated(depths_of(tree), frame);
+    const double per_sample = plan.rise / frame.density;
+    std::vector<double> line(frame.side);
+    ShadowLines result;
+    CellMeans holes(plan.width(), plan.height());
+    auto run = plan.runs.begin();
+    for (int row = 0; row < frame.side; ++row) {
+        const auto depth = depths.row(row);
+        RowLines lines(depth, above, (1.0 - fall) * per_sample, line);
+        for (int i = 0; i < frame.side; ++i) {
+            if (depth[i] == 0) continue;
+            const int first = i;
+            while (i < frame.side && depth[i] > 0) ++i;
+            const GridPoint end = frame.position(i - 0.5, row);
+            lines.lay_shadow(first, i, 1,
+                             bilinear(ground, end.x, end.y) + per_sample * (i - 0.5));
+        }
+        for (; run != plan.runs.end() && run->row == row; ++run)
+            result.crests.push_back(
+                static_cast<float>(line[run->first] - per_sample * (run->first - 0.5)));
+        for (int i = 0; i < frame.side; ++i) {
+            if (depth[i] == 0 || depth[i] % 2 != 0) continue;
+            const Cell c = cell_of(frame.position(i, row));
+            if (!plan.target->contains(c.x, c.y)) continue;
+            const double at = frame.sample_at({1.0 * c.x, 1.0 * c.y});
+            holes.add(c, line[i] - per_sample * at);
+        }
+    }
+    result.holes = holes.means();
+    return result;
+}
+
+}  // namespace cydonia::pareidolia

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "synth/pareidolia/region_tree.h"
+#include "synth/pareidolia/shadow_plan.h"
+
+namespace cydonia::pareidolia {
+
+// Where light passes over the shadows: how high crests stand, and the ground of the lit
+// holes that rise through it.
+struct ShadowLines {
+    std::vector<float> crests;  // of each run of the plan, metres
+    Field<float> holes;  // ground of each cell of a hole, metres; kNowhere elsewhere
+};
+
+// Rusnell 2009, section 5.3.1: every run has a crest of its own, eq. 5.4. No holes.
+ShadowLines lines_of_runs(const ShadowPlan& plan, const Field<float>& ground);
+
+// Section 5.3.2, level by level of the image's homotopic tree: a shadow with its holes
+// filled has one crest, as high as eq. 5.4 says for the whole; its holes stand `above`
+// metres over the shadow line of that crest where light enters them, and islands of
+// shadow in them have crests again.
+//
+// One departure. The thesis' holes follow the shadow line to their ends, so that light
+// only grazes them. Here their ground falls by `fall` of the light's own slope, and
+// the crest in front is lower by what the line gains on the way: with `fall` = 1 the
+// holes are as in the thesis, with 0 they are level and crests as in section 5.3.1.
+ShadowLines lines_of_regions(const ShadowPlan& plan, const RegionTree& tree,
+                             const Field<float>& ground, double above, double fall);
+
+}  // namespace cydonia::pareidolia
