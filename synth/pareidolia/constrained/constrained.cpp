@@ -1,10 +1,248 @@
 #include "synth/pareidolia/constrained/constrained.h"
 
-namespace cydonia::pareidolia {
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
 
-Field<float> constrained(const Options&, const Terrain& base, std::vector<ShadowImage>&,
-                         const Context&) {
-    return base.heights;
+#include "field/error.h"
+#include "field/image.h"
+#include "field/noise.h"
+#include "field/random.h"
+#include "synth/pareidolia/constrained/bend.h"
+#include "synth/pareidolia/constrained/calm.h"
+#include "synth/pareidolia/constrained/contradictions.h"
+#include "synth/pareidolia/constrained/tighten.h"
+#include "synth/pareidolia/constrained/window.h"
+
+namespace cydonia::pareidolia {
+namespace {
+
+// The coarsest grid has at most so many cells a side, and grids up to the second see the
+// suns that are to see nothing.
+constexpr int kCoarsest = 64, kHidingCells = 128;
+constexpr int kCoarseIterations = 100, kHalfIterations = 60, kFineIterations = 50;
+// After the fine grid: rounds of casting, tightening and solving on.
+constexpr int kRounds = 3, kRoundIterations = 15;
+// Margins at faithful = 1, as shares of the light's own fall.
+constexpr double kLight = 0.15, kCrisp = 0.25;
+// The price of curvature against that of slope, at natural = 1.
+constexpr double kBend = 0.3;
+// The price of height alone on 512 cells a side: holds what nothing else does.
+constexpr double kKeep = 1e-6;
+// Turned by this, a sun is to see no image; and how much it gives way, at hidden = 1.
+constexpr double kHidingTurn = radians(30.0), kHidingGive = 0.3;
+constexpr int kRays = 2;  // a cell side, in the check between the rounds
+// Calming of a base below this goes without saying.
+constexpr double kSaidSmoothing = 0.25;
+
+cv::Mat mat(Field<float>& field) {
+    return {field.height(), field.width(), CV_32F, field.data()};
+}
+
+Field<float> shrunk(Field<float> field, int width, int height) {
+    Field<float> result(width, height);
+    cv::Mat out = mat(result);
+    cv::resize(mat(field), out, out.size(), 0, 0, cv::INTER_AREA);
+    return result;
+}
+
+// A change of coarser land, without the stairs of its cells.
+Field<float> grown(Field<float> change, int width, int height) {
+    Field<float> result(width, height);
+    cv::Mat out = mat(result);
+    cv::resize(mat(change), out, out.size(), 0, 0, cv::INTER_CUBIC);
+    cv::GaussianBlur(out, out, cv::Size(), 2.0, 0, cv::BORDER_REFLECT);
+    return result;
+}
+
+Field<float> sum(Field<float> a, const Field<float>& b, float sign) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += sign * b[i];
+    return a;
+}
+
+// 0 to 1, changing over a twenty-fourth of the land and less.
+Field<float> wandering(int width, int height, std::uint64_t seed) {
+    Field<float> noise = noise_field({.h = 0.8, .octaves = 3, .grid = 24.0}, width,
+                                     height, 1.0, hash_of({seed, key("wandering")}));
+    for (float& n : noise) n = std::clamp(0.5f + n, 0.0f, 1.0f);
+    return noise;
+}
+
+Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
+             const Field<float>& noise) {
+    const Field<std::uint8_t>& target = image.target;
+    Demand demand{image.sun,
+                  Field<Part>(target.width(), target.height(), Part::kFree),
+                  cells_inside(target, true),
+                  Field<float>(target.width(), target.height()),
+                  Field<float>(target.width(), target.height(),
+                               static_cast<float>(kCrisp * options.faithful)),
+                  options.hidden > 0.0 ? 1.0 / options.hidden : 1e6};
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        // Lit ground that rises evenly everywhere would look ironed.
+        demand.light[i] =
+            static_cast<float>(kLight * options.faithful * (0.5 + noise[i]));
+        if (!image.given_up.empty() && image.given_up[i]) continue;
+        if (target[i])
+            demand.parts[i] = Part::kShadow;
+        else if (image.window[i])
+            demand.parts[i] = Part::kLit;
+    }
+    return demand;
+}
+
+// Where the image lies in shadow, suns to both sides of its own are to see light: land
+// that falls away from them nowhere far.
+void hide(const ShadowImage& image, double hidden, std::vector<Demand>& demands) {
+    if (hidden <= 0.0) return;
+    const int width = image.target.width(), height = image.target.height();
+    for (const double turn : {-kHidingTurn, kHidingTurn}) {
+        Demand demand{{image.sun.azimuth + turn, image.sun.elevation},
+                      Field<Part>(width, height, Part::kFree),
+                      Field<float>(width, height),
+                      Field<float>(width, height),
+                      Field<float>(width, height)};
+        for (std::size_t i = 0; i < demand.parts.size(); ++i)
+            if (image.target[i]) demand.parts[i] = Part::kLit;
+        demand.give = kHidingGive / hidden;
+        demands.push_back(std::move(demand));
+    }
+}
+
+Field<std::uint8_t> fixed_cells(const std::optional<Source>& keep, int width,
+                                int height) {
+    if (!keep) return {};
+    const Field<float> grey = resized(read_grey(*keep), width, height);
+    Field<std::uint8_t> fixed(width, height);
+    for (std::size_t i = 0; i < fixed.size(); ++i) fixed[i] = grey[i] > 0.5f;
+    return fixed;
+}
+
+Field<std::uint8_t> shrunk(const Field<std::uint8_t>& fixed, int width, int height) {
+    if (fixed.empty()) return {};
+    Field<float> share(fixed.width(), fixed.height());
+    std::copy(fixed.begin(), fixed.end(), share.begin());
+    share = shrunk(std::move(share), width, height);
+    Field<std::uint8_t> result(width, height);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = share[i] > 0.5f;
+    return result;
+}
+
+// Casts what was solved, widens margins where that is wrong and solves on, while it
+// helps.
+class Rounds {
+  public:
+    Rounds(const Terrain& base, std::vector<Demand>& demands, const Context& context)
+        : terrain_{.heights = {}, .spacing = base.spacing},
+          demands_(demands),
+          context_(context) {}
+
+    Field<float> best_of(Bend& bend) {
+        for (int round = 0;; ++round) {
+            cast(bend.heights());
+            if (round == kRounds || last_ == 0) break;
+            for (std::size_t i = 0; i < demands_.size(); ++i)
+                tighten(demands_[i], casts_[i]);
+            bend.demand(demands_);
+            bend.run(kRoundIterations);
+        }
+        return std::move(best_);
+    }
+
+  private:
+    void cast(Field<float> heights) {
+        terrain_.heights = std::move(heights);
+        casts_.clear();
+        last_ = 0;
+        for (const Demand& demand : demands_) {
+            casts_.push_back(context_.cast(terrain_, demand.sun, kRays));
+            last_ += wrong_in(demand, casts_.back()).all();
+        }
+        if (best_.empty() || last_ < least_) {
+            least_ = last_;
+            best_ = terrain_.heights;
+        }
+    }
+
+    Terrain terrain_;
+    std::vector<Demand>& demands_;
+    const Context& context_;
+    std::vector<Field<std::uint8_t>> casts_;
+    std::size_t last_ = 0, least_ = 0;  // wrong samples
+    Field<float> best_;
+};
+
+void say_contradictions(const Contradictions& found, Progress& progress) {
+    if (found.quadruples == 0) return;
+    progress.warn(fmt::format(
+        "the suns contradict one another: {} cells give way, {} at least must be wrong "
+        "in "
+        "any land, and no land shows the images with a mean IoU above {:.3f}; move, turn "
+        "or scale an image so that they share fewer lines of light, or bring the suns "
+        "together",
+        found.given_up, found.least_wrong, found.bound));
+}
+
+}  // namespace
+
+Field<float> constrained(const Options& options, const Terrain& base,
+                         std::vector<ShadowImage>& images, const Context& context) {
+    const int width = base.heights.width(), height = base.heights.height();
+    const ConstrainedOptions& wishes = options.constrained;
+    const Field<float> noise = wandering(width, height, context.seed);
+    for (ShadowImage& image : images) image.window = window_of(image.target, noise);
+    say_contradictions(settle(images), *context.progress);
+
+    std::vector<Demand> demands, hiding;
+    for (const ShadowImage& image : images) {
+        demands.push_back(shown(image, wishes, noise));
+        hide(image, wishes.hidden, hiding);
+    }
+    const Field<std::uint8_t> fixed = fixed_cells(wishes.keep, width, height);
+
+    double smoothed = 0.0;
+    std::vector<Field<float>> lands{calmed(base, images, wishes.hidden, &smoothed)};
+    if (smoothed > kSaidSmoothing)
+        context.progress->note(fmt::format(
+            "the base is too rough for its sun to light it: around the image its slopes "
+            "were lessened by {:.0f}%",
+            100.0 * smoothed));
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+        if (fixed[i]) lands.front()[i] = base.heights[i];
+    while (std::max(lands.back().width(), lands.back().height()) > kCoarsest &&
+           std::min(lands.back().width(), lands.back().height()) > 8)
+        lands.push_back(shrunk(lands.back(), (lands.back().width() + 1) / 2,
+                               (lands.back().height() + 1) / 2));
+
+    // Every grid starts from the bend of the coarser one and changes as little of that.
+    Field<float> bent = lands.back();
+    const int levels = static_cast<int>(lands.size());
+    for (int level = levels - 1; level >= 0; --level) {
+        const Field<float>& land = lands[static_cast<std::size_t>(level)];
+        if (level < levels - 1)
+            bent = sum(grown(sum(bent, lands[static_cast<std::size_t>(level) + 1], -1.0f),
+                             land.width(), land.height()),
+                       land, 1.0f);
+        const double cells = static_cast<double>(width) / land.width();
+        const double size = 512.0 / land.width();
+        Bend bend(bent, base.spacing * cells, cells,
+                  shrunk(fixed, land.width(), land.height()),
+                  {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
+                   .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
+        std::vector<Demand> seen = demands;
+        if (std::max(land.width(), land.height()) <= kHidingCells)
+            seen.insert(seen.end(), hiding.begin(), hiding.end());
+        bend.demand(seen);
+        bend.run(level == 0   ? kFineIterations
+                 : level == 1 ? kHalfIterations
+                              : kCoarseIterations);
+        context.progress->report(0.7 * (levels - level) / levels);
+        bent = level == 0 ? Rounds(base, demands, context).best_of(bend) : bend.heights();
+    }
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+        if (fixed[i]) bent[i] = base.heights[i];
+    context.progress->report(1.0);
+    return bent;
 }
 
 }  // namespace cydonia::pareidolia

@@ -1,0 +1,105 @@
+#include "synth/pareidolia/constrained/bend.h"
+
+#include <algorithm>
+
+#include "field/parallel.h"
+
+namespace cydonia::pareidolia {
+namespace {
+
+// Of the augmented Lagrangian; the cost of slopes is one.
+constexpr float kPull = 1.0f;
+// Over-relaxation (Boyd et al. 2011, section 3.4.3).
+constexpr float kOver = 1.7f;
+
+}  // namespace
+
+Bend::Bend(Field<float> land, double spacing, double cells, Field<std::uint8_t> fixed,
+           const BendOptions& options)
+    : land_(std::move(land)),
+      change_(land_.width(), land_.height()),
+      spacing_(spacing),
+      cells_(cells),
+      fixed_(std::move(fixed)),
+      fixed_dual_(fixed_.width(), fixed_.height()),
+      options_(options) {}
+
+void Bend::demand(const std::vector<Demand>& demands) {
+    const Field<float> now = heights();
+    for (std::size_t i = 0; i < demands.size(); ++i) {
+        const Demand& demand = demands[i];
+        const float hard = static_cast<float>(1.0 / (1.0 + demand.give));
+        if (i < sights_.size()) {
+            sights_[i].records = records_of(demand, sights_[i].rows, cells_, spacing_);
+            continue;
+        }
+        LightRows rows(land_.width(), land_.height(), demand.sun.azimuth, options_.stops);
+        Records records = records_of(demand, rows, cells_, spacing_);
+        Field<float> samples = rows.sampled(now), nearest = samples;
+        Field<float> dual(samples.width(), samples.height());
+        sights_.push_back({std::move(rows), std::move(records), std::move(samples),
+                           std::move(nearest), std::move(dual), hard});
+    }
+}
+
+Field<float> Bend::heights() const {
+    Field<float> result = land_;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += change_[i];
+    return result;
+}
+
+void Bend::project(Sight& sight) {
+    constexpr int kBand = 16;
+    parallel_for((sight.rows.rows() + kBand - 1) / kBand, [&](int band) {
+        RecordsProjection nearest_to;
+        const int end = std::min(sight.rows.rows(), (band + 1) * kBand);
+        for (int row = band * kBand; row < end; ++row) {
+            const auto [first, past] = sight.rows.span(row);
+            const float* sample = sight.samples.row(row).data();
+            float* nearest = sight.nearest.row(row).data();
+            float* dual = sight.dual.row(row).data();
+            for (int i = first; i < past; ++i) {
+                dual[i] += kOver * sample[i] + (1.0f - kOver) * nearest[i];
+                nearest[i] = dual[i];
+            }
+            nearest_to(sight.records, row, first, past, nearest);
+            for (int i = first; i < past; ++i) {
+                nearest[i] = dual[i] + sight.hard * (nearest[i] - dual[i]);
+                dual[i] -= nearest[i];
+            }
+        }
+    });
+}
+
+void Bend::hold_fixed(Field<float>& force) const {
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+        if (fixed_[i]) force[i] -= kPull * (change_[i] + fixed_dual_[i]);
+}
+
+void Bend::run(int iterations) {
+    const float pull = kPull * static_cast<float>(sights_.size() + !fixed_.empty());
+    const Membrane membrane(land_.width(), land_.height(), options_.stiffness, pull);
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        Field<float> force = change_;
+        for (float& f : force) f *= pull;
+        for (const Sight& sight : sights_) {
+            Field<float> residual = sight.samples;
+            for (std::size_t i = 0; i < residual.size(); ++i)
+                residual[i] += sight.dual[i] - sight.nearest[i];
+            const Field<float> back = sight.rows.gathered(residual);
+            for (std::size_t i = 0; i < force.size(); ++i) force[i] -= kPull * back[i];
+        }
+        hold_fixed(force);
+        membrane.solve(force);
+        change_ = std::move(force);
+        for (std::size_t i = 0; i < fixed_.size(); ++i)
+            if (fixed_[i]) fixed_dual_[i] += change_[i];
+        const Field<float> now = heights();
+        for (Sight& sight : sights_) {
+            sight.samples = sight.rows.sampled(now);
+            project(sight);
+        }
+    }
+}
+
+}  // namespace cydonia::pareidolia

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "synth/pareidolia/constrained/demand.h"
+#include "synth/pareidolia/constrained/membrane.h"
+
+namespace cydonia::pareidolia {
+
+struct BendOptions {
+    Stiffness stiffness;
+    int iterations = 60;
+    Stops stops = Stops::kColumns;
+};
+
+// One grid of the land while it is bent: the convex programme of least change subject to
+// what every sun must see, by consensus ADMM (Boyd et al. 2011, section 7.1), linearised
+// where samples mix heights: a solve for the change, and a projection on each sun's
+// inequalities, in turn. What was learned stays between calls.
+class Bend {
+  public:
+    // `land` is what changes are counted from; its cells are `cells` of the demands'
+    // wide, and `spacing` metres. Cells with `fixed` above 0 keep their height; empty:
+    // none.
+    Bend(Field<float> land, double spacing, double cells, Field<std::uint8_t> fixed,
+         const BendOptions& options);
+
+    // Anew where margins or parts changed: the demands in the same order, or more of
+    // them.
+    void demand(const std::vector<Demand>& demands);
+    void run(int iterations);
+    Field<float> heights() const;
+
+  private:
+    struct Sight {  // of one sun
+        LightRows rows;
+        Records records;
+        Field<float> samples;  // A h
+        Field<float> nearest;  // z: the same, as it must be
+        Field<float> dual;     // u: the sum of what they disagreed in
+        float hard;            // how far z goes toward what must be
+    };
+    void project(Sight& sight);
+    void hold_fixed(Field<float>& force) const;
+
+    Field<float> land_, change_;
+    double spacing_, cells_;
+    Field<std::uint8_t> fixed_;
+    Field<float> fixed_dual_;
+    BendOptions options_;
+    std::vector<Sight> sights_;
+};
+
+}  // namespace cydonia::pareidolia

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/sun.h"
+#include "synth/pareidolia/constrained/light_rows.h"
+#include "synth/pareidolia/constrained/records.h"
+
+namespace cydonia::pareidolia {
+
+// What one sun must see, cell by cell of the finished land.
+struct Demand {
+    Sun sun;
+    Field<Part> parts;
+    Field<float> edge;  // cells to the nearest one that is not in shadow
+    Field<float>
+        light;  // margin of lit ground: it rises by this share of the light's fall
+    Field<float> crisp;  // margin of shadow beside its edge: the same share
+    double depth = 1.0;  // how far below the light shadow may lie; 1: what hides it well
+    double give = 0.0;   // 0: must be; above: may give way, the more the greater
+};
+
+// The inequalities of a demand along rows over a grid whose cells are `cells` of its own
+// wide and `spacing` metres.
+Records records_of(const Demand& demand, const LightRows& rows, double cells,
+                   double spacing);
+
+}  // namespace cydonia::pareidolia
