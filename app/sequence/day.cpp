@@ -128,7 +128,8 @@ std::string other_day(const config::FramesSpec& frames, const Sun& wanted) {
     }
     if (nearest_day)
         return "the nearest day on which it appears is " + told(*nearest_day);
-    return fmt::format("it comes nearest on {}, and never there", told(*best));
+    return fmt::format("no day of {} brings it nearer than {}", frames.date->year,
+                       told(*best));
 }
 
 std::string appearance(const ShadowImage& image, const Course& course,

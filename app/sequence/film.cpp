@@ -55,7 +55,6 @@ class Share {
         if (!error_) error_ = std::current_exception();
         stopped_ = true;
     }
-    bool stopped() const { return stopped_; }
     void rethrow() const {
         if (error_) std::rethrow_exception(error_);
     }
@@ -127,12 +126,12 @@ class Filming {
   private:
     void work() {
         for (std::size_t i = next_++; i < order_.size(); i = next_++) {
-            if (share_.stopped()) return;
             try {
                 make(order_[i]);
             } catch (...) {
                 share_.fail();
-                if (i == 0) key_exposed_.set_exception(std::current_exception());
+                if (i == 0 && !exposed_)  // or the others would wait for ever
+                    key_exposed_.set_exception(std::current_exception());
                 return;
             }
         }
@@ -151,7 +150,7 @@ class Filming {
         finish(shot_step(job_, shot.camera, frame), job_);
         const std::vector<Step> steps = frame_steps(job_, shot.camera, frame);
         const bool traced = finish(steps.front(), job_);
-        if (is_key) key_exposed_.set_value(exposure_by(shot));
+        if (is_key) expose_by(shot);
         finish(steps.back(), job_);
         if (traced)
             share_.report(index, 1.0);
@@ -159,9 +158,11 @@ class Filming {
             share_.skip(index);
     }
 
-    double exposure_by(const Shot& shot) const {
-        return sequence_.exposure +
-               render::own_exposure(job_.folder / "pov" / (shot.camera.name + ".exr"));
+    void expose_by(const Shot& key) {
+        key_exposed_.set_value(
+            sequence_.exposure +
+            render::own_exposure(job_.folder / "pov" / (key.camera.name + ".exr")));
+        exposed_ = true;
     }
 
     Job& job_;
@@ -169,6 +170,7 @@ class Filming {
     const std::vector<std::size_t> order_;
     Share share_;
     std::promise<double> key_exposed_;
+    bool exposed_ = false;  // of the key shot's worker
     std::shared_future<double> exposure_;
     std::atomic<std::size_t> next_ = 0;
 };

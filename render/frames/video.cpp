@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "field/error.h"
@@ -115,6 +116,16 @@ void expect_success(int outcome, const fs::path& file, const std::string& words)
                       words.empty() ? "it did not say why" : words.substr(0, kKeptWords));
 }
 
+// ffmpeg would look for another and make less of a film.
+void expect_frames(const Film& film) {
+    for (int i = 1; i <= film.count; ++i) {
+        const fs::path frame = film.folder / fmt::format("{}-{:04}.png", film.name, i);
+        std::error_code none;
+        if (!fs::is_regular_file(frame, none))
+            throw failure("no video without {}", frame.string());
+    }
+}
+
 void run_ffmpeg(const Film& film, const fs::path& file, const fs::path& named,
                 Progress& progress) {
     const auto deadline = Clock::now() + kTimeLimit;
@@ -140,6 +151,7 @@ fs::path ffmpeg_program() {
 }
 
 void encode_video(const Film& film, const fs::path& file, Progress& progress) {
+    expect_frames(film);
     write_atomically(file, [&](const fs::path& temporary) {
         run_ffmpeg(film, temporary, file, progress);
     });

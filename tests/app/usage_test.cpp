@@ -41,7 +41,7 @@ TEST(Usage, HelpFitsAScreenAndEndsWithAnExample) {
     expect_fits_a_screen(ask({}).out);
     expect_fits_a_screen(ask({"--help"}).out);
     for (const char* command :
-         {"render", "synth", "check", "emit", "gallery", "validate", "info"}) {
+         {"render", "sweep", "synth", "check", "emit", "gallery", "validate", "info"}) {
         const Outcome outcome = ask({command, "--help"});
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.out.find(command), std::string::npos);

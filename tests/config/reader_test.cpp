@@ -104,6 +104,23 @@ TEST_F(Reader, FullSceneOfRender) {
     EXPECT_EQ(r.colour.view, "ACES");
 }
 
+TEST_F(Reader, FullSceneOfFrames) {
+    const FramesSpec plain = load(kLeastScene).at(0).frames;
+    EXPECT_EQ(plain.count, 48);
+    EXPECT_FALSE(plain.place || plain.date || plain.time_zone);
+    const FramesSpec f = load(golden_text("full.toml")).at(0).frames;
+    EXPECT_EQ(f.count, 72);
+    EXPECT_EQ(f.rate, 30.0);
+    EXPECT_EQ(f.pace, FramesSpec::Pace::kEven);
+    EXPECT_EQ(f.camera, "low");
+    EXPECT_EQ(f.place, (Place{radians(47.05), radians(8.3)}));
+    EXPECT_EQ(f.date, (Date{2026, 6, 21}));
+    EXPECT_EQ(f.time_zone, 2.0);
+    const std::string place = "[frames]\nplace = { latitude = 1, longitude = 2 }\n";
+    EXPECT_EQ(load(kLeastScene + place + "date = \"2024-02-29\"\n").at(0).frames.date,
+              (Date{2024, 2, 29}));
+}
+
 TEST_F(Reader, SourcesAreEveryFileOfAStage) {
     const SceneSpec s = load(golden_text("full.toml")).at(0);
     for (const auto& source : s.stages[1].sources)
