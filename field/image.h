@@ -17,8 +17,8 @@ using Rgb = std::array<float, 3>;  // linear
 
 // Luma of stored values, 0 to 1, over white.
 inline float grey_over_white(Rgba8 pixel) {
-    const float luma = 0.2126f * float(pixel[0]) + 0.7152f * float(pixel[1]) +
-                       0.0722f * float(pixel[2]);
+    const float luma =
+        0.2126f * float(pixel[0]) + 0.7152f * float(pixel[1]) + 0.0722f * float(pixel[2]);
     return 1.0f - float(pixel[3]) / 255.0f * (1.0f - luma / 255.0f);
 }
 
