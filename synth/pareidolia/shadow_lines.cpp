@@ -2,6 +2,7 @@
 #include "synth/pareidolia/shadow_lines.h"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 #include <span>
 
 #include "field/sample.h"
@@ -69,24 +70,38 @@ Field<std::uint8_t> depths_of(const RegionTree& tree) {
     return depths;
 }
 
-// The mean of what the samples in a cell say.
-class CellMeans {
+// The ground of holes from what the rows of light say of it. Neighbouring rows differ by
+// the stairs that cells make of an outline; they are smoothed, or the ground would be too
+// rough to be lit.
+class HoleGround {
   public:
-    CellMeans(int width, int height) : sums_(width, height), counts_(width, height) {}
-    void add(Cell c, double value) {
-        sums_(c.x, c.y) += value;
-        ++counts_(c.x, c.y);
-    }
-    Field<float> means() const {
-        Field<float> means(sums_.width(), sums_.height(), kNowhere);
-        for (std::size_t i = 0; i < means.size(); ++i)
-            if (counts_[i] > 0) means[i] = static_cast<float>(sums_[i] / counts_[i]);
-        return means;
+    // What a row says: `level` is the ground over a plane that falls as the ground does.
+    HoleGround(int width, int height)
+        : levels_(cv::Mat::zeros(height, width, CV_64F)),
+          counts_(cv::Mat::zeros(height, width, CV_64F)) {}
+    void add(Cell c, double level) {
+        levels_.at<double>(c.y, c.x) += level;
+        counts_.at<double>(c.y, c.x) += 1.0;
     }
 
+    // Means over a few cells; 0 where no hole is.
+    Field<double> levels() const {
+        Field<double> result(levels_.cols, levels_.rows);
+        cv::Mat sums, weights;
+        cv::GaussianBlur(levels_, sums, {}, kSmooth);
+        cv::GaussianBlur(counts_, weights, {}, kSmooth);
+        for (int y = 0; y < levels_.rows; ++y)
+            for (int x = 0; x < levels_.cols; ++x)
+                if (holds(x, y))
+                    result(x, y) = sums.at<double>(y, x) / weights.at<double>(y, x);
+        return result;
+    }
+    bool holds(int x, int y) const { return counts_.at<double>(y, x) > 0.0; }
+
   private:
-    Field<double> sums_;
-    Field<int> counts_;
+    static constexpr double kSmooth = 1.5;  // cells
+
+    cv::Mat levels_, counts_;
 };
 
 }  // namespace
@@ -100,13 +115,14 @@ ShadowLines lines_of_regions(const ShadowPlan& plan, const RegionTree& tree,
     const LightFrame& frame = plan.frame;
     const Field<std::uint8_t> depths = rotated(depths_of(tree), frame);
     const double per_sample = plan.rise / frame.density;
+    const double gain = (1.0 - fall) * per_sample;
     std::vector<double> line(frame.side);
     ShadowLines result;
-    CellMeans holes(plan.width(), plan.height());
+    HoleGround holes(plan.width(), plan.height());
     auto run = plan.runs.begin();
     for (int row = 0; row < frame.side; ++row) {
         const auto depth = depths.row(row);
-        RowLines lines(depth, above, (1.0 - fall) * per_sample, line);
+        RowLines lines(depth, above, gain, line);
         for (int i = 0; i < frame.side; ++i) {
             if (depth[i] == 0) continue;
             const int first = i;
@@ -122,11 +138,19 @@ ShadowLines lines_of_regions(const ShadowPlan& plan, const RegionTree& tree,
             if (depth[i] == 0 || depth[i] % 2 != 0) continue;
             const Cell c = cell_of(frame.position(i, row));
             if (!plan.target->contains(c.x, c.y)) continue;
-            const double at = frame.sample_at({1.0 * c.x, 1.0 * c.y});
-            holes.add(c, line[i] - per_sample * at);
+            holes.add(c, line[i] - gain * i);
         }
     }
-    result.holes = holes.means();
+    result.holes = Field<float>(plan.width(), plan.height(), kNowhere);
+    const Field<double> levels = holes.levels();
+    for (int y = 0; y < plan.height(); ++y) {
+        for (int x = 0; x < plan.width(); ++x) {
+            const double at = frame.sample_at({1.0 * x, 1.0 * y});
+            if (holes.holds(x, y))
+                result.holes(x, y) =
+                    static_cast<float>(levels(x, y) + (gain - per_sample) * at);
+        }
+    }
     return result;
 }
 
