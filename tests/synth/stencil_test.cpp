@@ -80,6 +80,46 @@ TEST(Stencil, KeepsWhatMakesAFace) {
     EXPECT_FALSE(ink_at(drawing, -0.95, -0.9));
 }
 
+TEST(Stencil, FrecklesGoAndEyesStay) {
+    Field<float> image = photograph(768);
+    for (const auto& [x, y] : {std::pair{330, 430}, {440, 450}, {384, 300}})
+        for (int j = -5; j <= 5; ++j)
+            for (int i = -5; i <= 5; ++i)
+                if (i * i + j * j <= 25) image(x + i, y + j) = 0.1f;
+    const Field<float> drawing = stencil(image, 0.5);
+    for (const auto& [x, y] : {std::pair{330, 430}, {440, 450}, {384, 300}})
+        EXPECT_GT(drawing(x, y), 0.5f) << x << ", " << y;
+    EXPECT_TRUE(ink_at(drawing, 0.25, -0.1));
+}
+
+TEST(Stencil, LightFromOneSide) {
+    Field<float> image = photograph(300);
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 300; ++x) image(x, y) *= 1.0f - 0.6f * float(x) / 300.0f;
+    const Field<float> drawing = stencil(image, 0.5);
+    EXPECT_FALSE(ink_at(drawing, 0.4, 0.15));  // skin in the half dark
+    EXPECT_TRUE(ink_at(drawing, 0.25, -0.1));
+    EXPECT_TRUE(ink_at(drawing, -0.25, -0.1));
+    EXPECT_FALSE(ink_at(drawing, 0.8, 0.0));  // the ground behind it
+}
+
+// A pale disc on paler ground, beside something dark.
+TEST(Stencil, FaintContoursAreLines) {
+    Field<float> image(400, 400, 0.85f);
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 400; ++x)
+            if (std::hypot(x - 150, y - 200) < 90.0)
+                image(x, y) = 0.6f;
+            else if (x > 320)
+                image(x, y) = 0.1f;
+    const Field<float> drawing = stencil(image, 0.5);
+    bool line = false;
+    for (int x = 90; x < 140; ++x) line |= drawing(x, drawing.height() / 2) < 0.5f;
+    EXPECT_TRUE(line);
+    EXPECT_FALSE(ink_at(drawing, -0.25, 0.0));
+    EXPECT_TRUE(ink_at(drawing, 0.8, 0.0));
+}
+
 TEST(Stencil, GrainLeavesNoSpecks) {
     const auto [ink, paper] = areas_of(stencil(photograph(300), 0.5));
     EXPECT_LE(ink, 8);  // hair, eyes, mouth, coat, and lines
