@@ -5,12 +5,12 @@
 //                                  [--only PART]... [--times] [--no-two] [--no-features]
 //
 // Columns: IoU at 2x2, 4x4 and 1x1 samples a cell, of the whole frame and of the sun's
-// disc; precision, recall, outline F-score, recall of thin parts; correlation above the
-// base's own with the sun turned by 30 and 90 degrees and raised to 45 (r); outline in
-// the shading, and the base's (edge, edge0); how far the image stands out under its sun
-// and at most under others (z); kurtosis of the land and of the base; slope and range as
-// multiples of the base's; seconds of the solver and the hard check; IoU and seconds of
-// the thesis' solver at 256 samples. docs/shadow-check.md says how they are measured.
+// disc; precision, recall, outline F-score, recall of thin parts; correlation away from
+// the base's own with the sun turned by 30 and 90 degrees and raised to 45 (r); outline
+// in the shading, and the base's (edge, edge0); how far the image stands out under its
+// sun and at most under others (z); kurtosis of the land and of the base; slope and range
+// as multiples of the base's; seconds of the solver and the hard check; IoU and seconds
+// of the thesis' solver at 256 samples. docs/shadow-check.md says how they are measured.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -36,7 +36,7 @@ void add_check(CLI::App& app, Action& action) {
             ->needs(height);
     command
         ->add_option("--window", heights->window,
-                     "with --height: white where shadows count, else everywhere")
+                     "with --height: white where shadows count")
         ->type_name("IMAGE")
         ->needs(height);
     add_making_options(*command, *request);

@@ -114,7 +114,7 @@ std::string figures_text(const std::string& name, const render::ShadowFigures& f
         "{}: stands out by {:.1f} deviations under its sun, by {:.1f} at most under "
         "others; correlation {} {:.2f} with the sun turned by 30 degrees, {:.2f} by 90",
         name, figures.standing_out, worst_standing_out(figures),
-        figures.base ? "above the base's own" : "of its own", hiddenness(figures, 30.0),
+        figures.base ? "away from the base's" : "of its own", hiddenness(figures, 30.0),
         hiddenness(figures, 90.0));
     if (!figures.base) return text;
     const auto times = [](double land, double base) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "field/error.h"
@@ -136,7 +135,7 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
 
 double hiddenness(const ShadowFigures& figures, double turned_degrees) {
     return mean_over(figures, turned_by(turned_degrees),
-                     [](const OtherSun& other) { return other.correlation(); });
+                     [](const OtherSun& other) { return std::abs(other.correlation()); });
 }
 
 double outline_ratio(const ShadowFigures& figures) {
@@ -151,9 +150,10 @@ double outline_ratio_of_base(const ShadowFigures& figures) {
 }
 
 double worst_standing_out(const ShadowFigures& figures) {
-    double worst = std::numeric_limits<double>::lowest();
+    double worst = 0.0;
     for (const OtherSun& other : figures.other_suns)
-        if (!turned_by(10.0)(other)) worst = std::max(worst, other.land.standing_out);
+        if (!turned_by(10.0)(other))
+            worst = std::max(worst, std::abs(other.land.standing_out));
     return worst;
 }
 

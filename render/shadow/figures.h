@@ -73,13 +73,15 @@ void check_shapes(const Field<float>& heights, const ShadowImage& image);
 ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
                              const ShadowImage& image);
 
-// Correlation above the base's own with the sun turned so many degrees, mean of both
-// ways; 0: with the sun raised.
+// How far the correlation is from the base's own, either way (a bright image shows as a
+// dark one does), with the sun turned so many degrees, mean of both ways; 0: with the sun
+// raised.
 double hiddenness(const ShadowFigures& figures, double turned_degrees);
 // Of the outlines at 90 degrees, mean of both ways.
 double outline_ratio(const ShadowFigures& figures);
 double outline_ratio_of_base(const ShadowFigures& figures);
-// The most that the image stands out under a sun turned by 30 degrees or more, or raised.
+// The most that the image stands out, dark or bright, under a sun turned by 30 degrees or
+// more, or raised.
 double worst_standing_out(const ShadowFigures& figures);
 
 }  // namespace cydonia::render

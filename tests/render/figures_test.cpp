@@ -252,6 +252,14 @@ TEST(Figures, WithoutABaseNothingIsTakenOff) {
     EXPECT_LT(hiddenness(figures, 180.0), 0.1);
 }
 
+TEST(Figures, ABrightImageIsNotHidden) {
+    ShadowFigures figures;
+    figures.other_suns = {{{}, radians(90.0), {-0.4, 1.0, -5.0}, Trace{0.1, 1.0, 0.0}},
+                          {{}, radians(-90.0), {0.3, 1.0, 4.0}, Trace{0.1, 1.0, 0.0}}};
+    EXPECT_DOUBLE_EQ(hiddenness(figures, 90.0), 0.35);
+    EXPECT_DOUBLE_EQ(worst_standing_out(figures), 5.0);
+}
+
 TEST(Figures, TurnedSunsAreWhatTheySay) {
     const CheckedLand land(fractal(48, 48, 20.0f, 5), 1.0);
     ShadowImage image{"x", box(48, 48, 10, 10, 30, 30), sun_at(40.0, 25.0)};
