@@ -107,7 +107,8 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }
-std::uint64_t of_check(std::uint64_t cells) { return kProgram + 75 * cells; }
+// Land and base are cast, several suns at once.
+std::uint64_t of_check(std::uint64_t cells) { return kProgram + 130 * cells; }
 
 std::uint64_t of_emit(std::uint64_t cells) {
     return kProgram + 18 * ground_pixels(cells) + 15 * cells;
