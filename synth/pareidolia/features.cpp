@@ -1,5 +1,7 @@
 #include "synth/pareidolia/features.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 
 #include "field/noise.h"
@@ -120,16 +122,26 @@ Field<float> features(const Options& options, const Terrain& base,
         ground = overlaid(std::move(ground), lines.holes);
     }
     const Field<float> profiles = constant_profiles(primary, base.spacing, mean);
-    const Slopes flanks = flank_slopes(plan, lit, 1.0, iterative ? 1.0 : kScarpShare);
-    Field<float> heights = maximum(ground, spread(sloped(flanks), generators, profiles));
-    context.progress->report(0.6);
+    // Four passes that need nothing of one another.
+    Field<float> heights, below_ends, below_crests, buttresses;
+    const double scarp = iterative ? 1.0 : kScarpShare;
+    tbb::parallel_invoke(
+        [&] {
+            heights =
+                spread(sloped(flank_slopes(plan, lit, 1.0, scarp)), generators, profiles);
+        },
+        [&] {
+            below_ends =
+                ceiling(sloped(end_slopes(plan, filled, lit)), shadow_ends(plan, ground));
+        },
+        [&] { below_crests = ceiling(sloped(crest_slopes(plan, filled, lit)), primary); },
+        [&] { buttresses = spread(sloped(uniform(kCrestSlope / mean)), primary); });
+    context.progress->report(0.8);
 
-    heights = minimum(std::move(heights), ceiling(sloped(end_slopes(plan, filled, lit)),
-                                                  shadow_ends(plan, ground)));
-    heights = minimum(std::move(heights),
-                      ceiling(sloped(crest_slopes(plan, filled, lit)), primary));
-    heights =
-        maximum(std::move(heights), spread(sloped(uniform(kCrestSlope / mean)), primary));
+    heights = maximum(std::move(heights), ground);
+    heights = minimum(std::move(heights), below_ends);
+    heights = minimum(std::move(heights), below_crests);
+    heights = maximum(std::move(heights), buttresses);
     heights =
         minimum(std::move(heights),
                 shadow_ceiling(plan, lines.crests, inside_relief(plan, context.seed)));
