@@ -80,12 +80,40 @@ double half_degree_below(double angle) {
     return radians(std::floor(2.0 * degrees(angle) + 1e-9) / 2.0);
 }
 
-double chosen_azimuth(const Small& small, const std::string& name, Progress& progress) {
-    const double azimuth = shortest_azimuth(small.target);
-    progress.note(
-        fmt::format("{}: the sun stands at azimuth {:.0f} degrees, where the longest "
-                    "shadow is shortest",
-                    name, degrees(azimuth)));
+// How much the land falls the way that a sun at `azimuth` shines: the covariance of depth
+// and way.
+double fall_along(const Terrain& terrain, double azimuth) {
+    const Field<float>& heights = terrain.heights;
+    const double dx = -std::sin(azimuth), dy = std::cos(azimuth);
+    const double x0 = (heights.width() - 1) / 2.0, y0 = (heights.height() - 1) / 2.0;
+    double fall = 0.0;
+    for (int y = 0; y < heights.height(); ++y)
+        for (int x = 0; x < heights.width(); ++x)
+            fall -= heights(x, y) * ((x - x0) * dx + (y - y0) * dy);
+    return fall;
+}
+
+// Along an axis of the grid the rows of light are rows of heights, and what the solver
+// asks for is exact: of the two the one whose longest shadow is shorter, from the side to
+// which the land falls already.
+double azimuth_on_axis(const Small& small, const Terrain& terrain) {
+    const double east = radians(90.0);
+    const double azimuth =
+        longest_shadow(small, 0.0) <= longest_shadow(small, east) ? 0.0 : east;
+    const double opposite = azimuth + radians(180.0);
+    return fall_along(terrain, azimuth) >= fall_along(terrain, opposite) ? azimuth
+                                                                         : opposite;
+}
+
+double chosen_azimuth(Solver solver, const Small& small, const Terrain& terrain,
+                      const std::string& name, Progress& progress) {
+    const bool on_axis = solver == Solver::kConstrained;
+    const double azimuth =
+        on_axis ? azimuth_on_axis(small, terrain) : shortest_azimuth(small.target);
+    progress.note(fmt::format(
+        "{}: the sun stands at azimuth {:.0f} degrees, where the longest shadow is "
+        "shortest{}",
+        name, degrees(azimuth), on_axis ? " of those along the grid" : ""));
     return azimuth;
 }
 
@@ -130,9 +158,10 @@ void say_edge(const ShadowImage& image, Progress& progress) {
             image.name, cells));
 }
 
-ShadowImage shadow_image(const ImageOptions& options, const std::string& name,
-                         const std::optional<double>& height_budget,
-                         const Terrain& terrain, Progress& progress) {
+ShadowImage shadow_image(const Options& stage, const ImageOptions& options,
+                         const std::string& name, const Terrain& terrain,
+                         Progress& progress) {
+    const std::optional<double>& height_budget = stage.height_budget;
     check_sun(options);
     ShadowImage image;
     image.name = name;
@@ -145,7 +174,8 @@ ShadowImage shadow_image(const ImageOptions& options, const std::string& name,
     const Small small =
         looks ? small_target(options, picture, terrain, image.target) : Small{};
     image.sun.azimuth =
-        options.azimuth ? *options.azimuth : chosen_azimuth(small, name, progress);
+        options.azimuth ? *options.azimuth
+                        : chosen_azimuth(stage.solver, small, terrain, name, progress);
     const double shadow = looks ? longest_shadow(small, image.sun.azimuth) : 0.0;
     image.sun.elevation =
         options.elevation
@@ -166,8 +196,8 @@ std::vector<ShadowImage> shadow_images(const Options& options, const Terrain& te
     const std::vector<std::string> names = image_names(options.images);
     std::vector<ShadowImage> images;
     for (std::size_t i = 0; i < names.size(); ++i)
-        images.push_back(shadow_image(options.images[i], names[i], options.height_budget,
-                                      terrain, progress));
+        images.push_back(
+            shadow_image(options, options.images[i], names[i], terrain, progress));
     return images;
 }
 

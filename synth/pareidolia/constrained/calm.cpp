@@ -13,7 +13,7 @@ namespace {
 
 // Of gradients in shadow, at hidden = 1: the more relief there, the more of it stays dark
 // under other suns.
-constexpr double kShadowShare = 0.3;
+constexpr double kShadowShare = 0.15;
 // Slopes are limited, softly, at so many times the light's own.
 constexpr double kSteepest = 1.5;
 // Of the longer side, over which shadow and window come in.

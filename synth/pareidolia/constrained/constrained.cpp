@@ -30,7 +30,7 @@ constexpr double kBend = 0.3;
 // The price of height alone on 512 cells a side: holds what nothing else does.
 constexpr double kKeep = 1e-6;
 // Turned by this, a sun is to see no image; and how much it gives way, at hidden = 1.
-constexpr double kHidingTurn = radians(30.0), kHidingGive = 0.3;
+constexpr double kHidingTurn = radians(30.0), kHidingGive = 0.1;
 constexpr int kRays = 2;  // a cell side, in the check between the rounds
 // Calming of a base below this goes without saying.
 constexpr double kSaidSmoothing = 0.25;

@@ -8,7 +8,7 @@ namespace cydonia::pareidolia {
 namespace {
 
 // Added to a margin where all of a cell is wrong, and the most that it may come to.
-constexpr float kMore = 0.3f, kMost = 1.2f;
+constexpr float kMore = 0.2f, kMost = 0.6f;
 
 // How much of each cell is wrong, 0 to 1.
 struct Share {
