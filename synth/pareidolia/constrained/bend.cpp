@@ -28,7 +28,6 @@ void Bend::demand(const std::vector<Demand>& demands) {
     const Field<float> now = heights();
     for (std::size_t i = 0; i < demands.size(); ++i) {
         const Demand& demand = demands[i];
-        const float hard = static_cast<float>(1.0 / (1.0 + demand.give));
         if (i < sights_.size()) {
             sights_[i].records = records_of(demand, sights_[i].rows, cells_, spacing_);
             continue;
@@ -38,7 +37,7 @@ void Bend::demand(const std::vector<Demand>& demands) {
         Field<float> samples = rows.sampled(now), nearest = samples;
         Field<float> dual(samples.width(), samples.height());
         sights_.push_back({std::move(rows), std::move(records), std::move(samples),
-                           std::move(nearest), std::move(dual), hard});
+                           std::move(nearest), std::move(dual)});
     }
 }
 
@@ -63,10 +62,7 @@ void Bend::project(Sight& sight) {
                 nearest[i] = dual[i];
             }
             nearest_to(sight.records, row, first, past, nearest);
-            for (int i = first; i < past; ++i) {
-                nearest[i] = dual[i] + sight.hard * (nearest[i] - dual[i]);
-                dual[i] -= nearest[i];
-            }
+            for (int i = first; i < past; ++i) dual[i] -= nearest[i];
         }
     });
 }

@@ -39,7 +39,6 @@ class Bend {
         Field<float> samples;  // A h
         Field<float> nearest;  // z: the same, as it must be
         Field<float> dual;     // u: the sum of what they disagreed in
-        float hard;            // how far z goes toward what must be
     };
     void project(Sight& sight);
     void hold_fixed(Field<float>& force) const;

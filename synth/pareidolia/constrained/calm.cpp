@@ -13,11 +13,16 @@ namespace {
 
 // Of gradients in shadow, at hidden = 1: the more relief there, the more of it stays dark
 // under other suns.
-constexpr double kShadowShare = 0.15;
-// Slopes are limited, softly, at so many times the light's own.
+constexpr double kShadowShare = 0.3;
+// The land falls along the light: in shadow as it must on the whole, and in lit ground,
+// at hidden = 1, by half of that, so that no one slope has the image's shape.
+constexpr double kShadowTilt = 1.0, kLitTilt = 0.5;
+// Slopes in lit ground are limited, softly, at so many times the light's own.
 constexpr double kSteepest = 1.5;
 // Of the longer side, over which shadow and window come in.
 constexpr double kShadowFeather = 0.015, kWindowFeather = 0.03;
+// The price of height alone: what nothing else holds stays where it was.
+constexpr double kKeep = 1e-6;
 
 double eased(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -45,21 +50,25 @@ Field<float> slopes(const Field<float>& heights, double spacing) {
     return result;
 }
 
-Field<float> integrated(const Field<float>& base, const Field<float>& share) {
-    constexpr double kKeep = 1e-4;  // holds the great shape of the land
+// The land whose gradient is `share` times that of `base`, and `tilt` (x, y; metres a
+// cell) besides, in the mean of squares: a screened Poisson equation.
+Field<float> integrated(const Field<float>& base, const Field<float>& share,
+                        const Field<float>& tilt_x, const Field<float>& tilt_y) {
     Field<float> force(base.width(), base.height());
     parallel_for(base.height(), 16, [&](int y) {
         for (int x = 0; x < base.width(); ++x) {
             double sum = kKeep * base(x, y);
-            const auto edge = [&](int ox, int oy) {
-                if (base.contains(ox, oy))
-                    sum +=
-                        0.5 * (share(x, y) + share(ox, oy)) * (base(x, y) - base(ox, oy));
+            const auto edge = [&](int dx, int dy) {
+                const int ox = x + dx, oy = y + dy;
+                if (!base.contains(ox, oy)) return;
+                sum += 0.5 * (share(x, y) + share(ox, oy)) * (base(x, y) - base(ox, oy)) -
+                       0.5 * (dx * (tilt_x(x, y) + tilt_x(ox, oy)) +
+                              dy * (tilt_y(x, y) + tilt_y(ox, oy)));
             };
-            edge(x + 1, y);
-            edge(x - 1, y);
-            edge(x, y + 1);
-            edge(x, y - 1);
+            edge(1, 0);
+            edge(-1, 0);
+            edge(0, 1);
+            edge(0, -1);
             force(x, y) = static_cast<float>(sum);
         }
     });
@@ -76,6 +85,7 @@ Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
     const double shadow_share = std::pow(kShadowShare, hidden);
     const Field<float> slope = slopes(heights, base.spacing);
     Field<float> share(heights.width(), heights.height(), 1.0f);
+    Field<float> tilt_x(share.width(), share.height()), tilt_y = tilt_x;
     double before = 0.0, after = 0.0;
     for (const ShadowImage& image : images) {
         const double steepest = kSteepest * std::tan(image.sun.elevation);
@@ -86,15 +96,20 @@ Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
             const double window = eased(in_window[i] / (kWindowFeather * side));
             const double shadow = eased(in_shadow[i] / (kShadowFeather * side));
             const double of_window = 1.0 + window * (limited - 1.0);
-            const double of_shadow = 1.0 + shadow * (shadow_share - 1.0);
-            share[i] =
-                std::min(share[i], static_cast<float>(std::min(of_window, of_shadow)));
+            share[i] = std::min(
+                share[i],
+                static_cast<float>(of_window + shadow * (shadow_share - of_window)));
+            const double lit_tilt = kLitTilt * std::min(1.0, hidden);
+            const double tilt = std::tan(image.sun.elevation) * base.spacing * window *
+                                (lit_tilt + shadow * (kShadowTilt - lit_tilt));
+            tilt_x[i] += static_cast<float>(std::sin(image.sun.azimuth) * tilt);
+            tilt_y[i] -= static_cast<float>(std::cos(image.sun.azimuth) * tilt);
             before += window * slope[i];
             after += window * slope[i] * of_window;
         }
     }
     *smoothed = before > 0.0 ? 1.0 - after / before : 0.0;
-    return integrated(heights, share);
+    return integrated(heights, share, tilt_x, tilt_y);
 }
 
 }  // namespace cydonia::pareidolia

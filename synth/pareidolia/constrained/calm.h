@@ -6,10 +6,11 @@
 
 namespace cydonia::pareidolia {
 
-// The land that is bent: the base, with gradients calmed and put together again (screened
-// Poisson) where shadow is to lie, by `hidden` (0: not at all), and inside windows where
-// the base is too steep for the sun to light it. `smoothed` takes by how much slopes
-// inside the windows are less than the base's, 0 to 1.
+// The land that is bent: the base with other gradients, put together again. Where shadow
+// is to lie they are calmed by `hidden` (0: not at all) and fall along the light; in the
+// windows around it they fall by half as much, and are limited where the base is too
+// steep for the sun to light it. `smoothed` takes by how much lit slopes were lessened, 0
+// to 1.
 Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
                     double hidden, double* smoothed);
 

@@ -17,9 +17,8 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// The coarsest grid has at most so many cells a side, and grids up to the second see the
-// suns that are to see nothing.
-constexpr int kCoarsest = 64, kHidingCells = 128;
+// The coarsest grid has at most so many cells a side.
+constexpr int kCoarsest = 64;
 constexpr int kCoarseIterations = 100, kHalfIterations = 60, kFineIterations = 50;
 // After the fine grid: rounds of casting, tightening and solving on.
 constexpr int kRounds = 3, kRoundIterations = 15;
@@ -29,8 +28,6 @@ constexpr double kLight = 0.15, kCrisp = 0.25;
 constexpr double kBend = 0.3;
 // The price of height alone on 512 cells a side: holds what nothing else does.
 constexpr double kKeep = 1e-6;
-// Turned by this, a sun is to see no image; and how much it gives way, at hidden = 1.
-constexpr double kHidingTurn = radians(30.0), kHidingGive = 0.1;
 constexpr int kRays = 2;  // a cell side, in the check between the rounds
 // Calming of a base below this goes without saying.
 constexpr double kSaidSmoothing = 0.25;
@@ -89,24 +86,6 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
             demand.parts[i] = Part::kLit;
     }
     return demand;
-}
-
-// Where the image lies in shadow, suns to both sides of its own are to see light: land
-// that falls away from them nowhere far.
-void hide(const ShadowImage& image, double hidden, std::vector<Demand>& demands) {
-    if (hidden <= 0.0) return;
-    const int width = image.target.width(), height = image.target.height();
-    for (const double turn : {-kHidingTurn, kHidingTurn}) {
-        Demand demand{{image.sun.azimuth + turn, image.sun.elevation},
-                      Field<Part>(width, height, Part::kFree),
-                      Field<float>(width, height),
-                      Field<float>(width, height),
-                      Field<float>(width, height)};
-        for (std::size_t i = 0; i < demand.parts.size(); ++i)
-            if (image.target[i]) demand.parts[i] = Part::kLit;
-        demand.give = kHidingGive / hidden;
-        demands.push_back(std::move(demand));
-    }
 }
 
 Field<std::uint8_t> fixed_cells(const std::optional<Source>& keep, int width,
@@ -193,11 +172,9 @@ Field<float> constrained(const Options& options, const Terrain& base,
     for (ShadowImage& image : images) image.window = window_of(image.target, noise);
     say_contradictions(settle(images), *context.progress);
 
-    std::vector<Demand> demands, hiding;
-    for (const ShadowImage& image : images) {
+    std::vector<Demand> demands;
+    for (const ShadowImage& image : images)
         demands.push_back(shown(image, wishes, noise));
-        hide(image, wishes.hidden, hiding);
-    }
     const Field<std::uint8_t> fixed = fixed_cells(wishes.keep, width, height);
 
     double smoothed = 0.0;
@@ -229,10 +206,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
                   shrunk(fixed, land.width(), land.height()),
                   {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
                    .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
-        std::vector<Demand> seen = demands;
-        if (std::max(land.width(), land.height()) <= kHidingCells)
-            seen.insert(seen.end(), hiding.begin(), hiding.end());
-        bend.demand(seen);
+        bend.demand(demands);
         bend.run(level == 0   ? kFineIterations
                  : level == 1 ? kHalfIterations
                               : kCoarseIterations);

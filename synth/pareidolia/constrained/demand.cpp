@@ -14,7 +14,7 @@ constexpr double kCrispCells = 2.5;
 // And it lies no deeper than this, in falls of the light from a cell to the next: near an
 // edge, so that the edge is sharp; farther from it; and anywhere. Land just under the
 // light is lit by every other sun.
-constexpr double kEdgeDepth = 0.4, kDepthGrowth = 0.02, kMostDepth = 1.0;
+constexpr double kEdgeDepth = 0.4, kDepthGrowth = 0.03, kMostDepth = 1.5;
 
 class Row {
   public:

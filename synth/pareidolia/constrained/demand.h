@@ -16,7 +16,6 @@ struct Demand {
         light;  // margin of lit ground: it rises by this share of the light's fall
     Field<float> crisp;  // margin of shadow beside its edge: the same share
     double depth = 1.0;  // how far below the light shadow may lie; 1: what hides it well
-    double give = 0.0;   // 0: must be; above: may give way, the more the greater
 };
 
 // The inequalities of a demand along rows over a grid whose cells are `cells` of its own
