@@ -62,8 +62,8 @@ Field<float> integrated(const Field<float>& base, const Field<float>& share,
                 const int ox = x + dx, oy = y + dy;
                 if (!base.contains(ox, oy)) return;
                 sum += 0.5 * (share(x, y) + share(ox, oy)) * (base(x, y) - base(ox, oy)) -
-                       0.5 * (dx * (tilt_x(x, y) + tilt_x(ox, oy)) +
-                              dy * (tilt_y(x, y) + tilt_y(ox, oy)));
+                       0.5 * (double(dx) * (tilt_x(x, y) + tilt_x(ox, oy)) +
+                              double(dy) * (tilt_y(x, y) + tilt_y(ox, oy)));
             };
             edge(1, 0);
             edge(-1, 0);
@@ -89,6 +89,8 @@ Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
     double before = 0.0, after = 0.0;
     for (const ShadowImage& image : images) {
         const double steepest = kSteepest * std::tan(image.sun.elevation);
+        const double east = std::sin(image.sun.azimuth);
+        const double north = std::cos(image.sun.azimuth);
         const Field<float> in_shadow = cells_inside(image.target, true);
         const Field<float> in_window = cells_inside(image.window, true);
         for (std::size_t i = 0; i < share.size(); ++i) {
@@ -102,8 +104,11 @@ Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
             const double lit_tilt = kLitTilt * std::min(1.0, hidden);
             const double tilt = std::tan(image.sun.elevation) * base.spacing * window *
                                 (lit_tilt + shadow * (kShadowTilt - lit_tilt));
-            tilt_x[i] += static_cast<float>(std::sin(image.sun.azimuth) * tilt);
-            tilt_y[i] -= static_cast<float>(std::cos(image.sun.azimuth) * tilt);
+            // What other suns have it fall by already counts.
+            const double missing =
+                std::max(0.0, tilt - (tilt_x[i] * east - tilt_y[i] * north));
+            tilt_x[i] += static_cast<float>(east * missing);
+            tilt_y[i] -= static_cast<float>(north * missing);
             before += window * slope[i];
             after += window * slope[i] * of_window;
         }

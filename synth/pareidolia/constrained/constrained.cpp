@@ -24,6 +24,7 @@ constexpr int kCoarseIterations = 100, kHalfIterations = 60, kFineIterations = 5
 constexpr int kRounds = 3, kRoundIterations = 15;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.15, kCrisp = 0.25;
+constexpr double kAnyDepth = 1e6;
 // The price of curvature against that of slope, at natural = 1.
 constexpr double kBend = 0.3;
 // The price of height alone on 512 cells a side: holds what nothing else does.
@@ -66,15 +67,15 @@ Field<float> wandering(int width, int height, std::uint64_t seed) {
 }
 
 Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
-             const Field<float>& noise) {
+             const Field<float>& noise, bool alone) {
     const Field<std::uint8_t>& target = image.target;
-    Demand demand{image.sun,
-                  Field<Part>(target.width(), target.height(), Part::kFree),
+    Demand demand{image.sun, Field<Part>(target.width(), target.height(), Part::kFree),
                   cells_inside(target, true),
                   Field<float>(target.width(), target.height()),
                   Field<float>(target.width(), target.height(),
                                static_cast<float>(kCrisp * options.faithful)),
-                  options.hidden > 0.0 ? 1.0 / options.hidden : 1e6};
+                  // Several images need all the depth they can get.
+                  alone && options.hidden > 0.0 ? 1.0 / options.hidden : kAnyDepth};
     for (std::size_t i = 0; i < target.size(); ++i) {
         // Lit ground that rises evenly everywhere would look ironed.
         demand.light[i] =
@@ -112,9 +113,9 @@ Field<std::uint8_t> shrunk(const Field<std::uint8_t>& fixed, int width, int heig
 class Rounds {
   public:
     Rounds(const Terrain& base, std::vector<Demand>& demands, const Context& context)
-        : terrain_{.heights = {}, .spacing = base.spacing},
-          demands_(demands),
-          context_(context) {}
+        : demands_(demands), context_(context) {
+        terrain_.spacing = base.spacing;
+    }
 
     Field<float> best_of(Bend& bend) {
         for (int round = 0;; ++round) {
@@ -174,7 +175,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
 
     std::vector<Demand> demands;
     for (const ShadowImage& image : images)
-        demands.push_back(shown(image, wishes, noise));
+        demands.push_back(shown(image, wishes, noise, images.size() == 1));
     const Field<std::uint8_t> fixed = fixed_cells(wishes.keep, width, height);
 
     double smoothed = 0.0;

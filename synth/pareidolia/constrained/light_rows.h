@@ -33,7 +33,10 @@ class LightRows {
     Span span(int row) const { return spans_[static_cast<std::size_t>(row)]; }
 
     // Of a sample along its row, in columns.
-    double column(int sample) const { return sample / stops_ + stop(sample).column; }
+    double column(int sample) const {
+        const int whole = sample / stops_;
+        return whole + static_cast<double>(stop(sample).column);
+    }
     // False for samples that repeat the one before, where fewer edges are crossed.
     bool counts(int sample) const { return stop(sample).counts; }
     // In cells: (x, y) is the centre of cell (x, y).
