@@ -127,6 +127,7 @@ Field<float> LightRows::sampled(const Field<float>& heights) const {
         float* out = result.data() + static_cast<std::size_t>(row) * samples();
         for (int i = span(row).first; i < span(row).past; ++i) {
             const Stop& at = stop(i);
+            if (!at.counts) continue;
             const int column = i / stops_;
             out[i] = (1.0f - at.past) * height(column, row + at.line) +
                      at.past * height(column + at.columns, row + at.next_line);

@@ -45,9 +45,11 @@ class LightRows {
     };
     Point position(double column, int row) const;
 
-    // A h: the heights at every sample, samples() x rows(); 0 beyond a row's ends.
+    // A h: the heights at every sample, samples() x rows(); 0 beyond a row's ends, and
+    // where none counts.
     Field<float> sampled(const Field<float>& heights) const;
-    // A^T s, divided so that no eigenvalue of A^T A is above 1.
+    // A^T s of samples that are 0 there too, divided so that no eigenvalue of A^T A is
+    // above 1.
     Field<float> gathered(const Field<float>& at_samples) const;
 
   private:
