@@ -51,17 +51,19 @@ Field<float> slopes(const Field<float>& heights, double spacing) {
 }
 
 // The land whose gradient is `share` times that of `base`, and `tilt` (x, y; metres a
-// cell) besides, in the mean of squares: a screened Poisson equation.
+// cell) besides, in the mean of squares: a screened Poisson equation of the change, so
+// that what is to stay does, at any height.
 Field<float> integrated(const Field<float>& base, const Field<float>& share,
                         const Field<float>& tilt_x, const Field<float>& tilt_y) {
-    Field<float> force(base.width(), base.height());
+    Field<float> change(base.width(), base.height());
     parallel_for(base.height(), 16, [&](int y) {
         for (int x = 0; x < base.width(); ++x) {
-            double sum = kKeep * base(x, y);
+            double sum = 0.0;
             const auto edge = [&](int dx, int dy) {
                 const int ox = x + dx, oy = y + dy;
                 if (!base.contains(ox, oy)) return;
-                sum += 0.5 * (share(x, y) + share(ox, oy)) * (base(x, y) - base(ox, oy)) -
+                const double more = 0.5 * (share(x, y) + share(ox, oy)) - 1.0;
+                sum += more * (base(x, y) - base(ox, oy)) -
                        0.5 * (double(dx) * (tilt_x(x, y) + tilt_x(ox, oy)) +
                               double(dy) * (tilt_y(x, y) + tilt_y(ox, oy)));
             };
@@ -69,11 +71,12 @@ Field<float> integrated(const Field<float>& base, const Field<float>& share,
             edge(-1, 0);
             edge(0, 1);
             edge(0, -1);
-            force(x, y) = static_cast<float>(sum);
+            change(x, y) = static_cast<float>(sum);
         }
     });
-    Membrane(base.width(), base.height(), {.keep = kKeep}, 0.0).solve(force);
-    return force;
+    Membrane(base.width(), base.height(), {.keep = kKeep}, 0.0).solve(change);
+    for (std::size_t i = 0; i < base.size(); ++i) change[i] += base[i];
+    return change;
 }
 
 }  // namespace
