@@ -12,6 +12,15 @@ constexpr float kPull = 1.0f;
 // Over-relaxation (Boyd et al. 2011, section 3.4.3).
 constexpr float kOver = 1.7f;
 
+// body(i) for every cell, on all threads.
+template <class Body>
+void for_rows(const Field<float>& field, const Body& body) {
+    parallel_for(field.height(), 64, [&](int y) {
+        const std::size_t first = field.index(0, y);
+        for (std::size_t i = first; i < first + field.width(); ++i) body(i);
+    });
+}
+
 }  // namespace
 
 Bend::Bend(Field<float> land, double spacing, double cells, Field<std::uint8_t> fixed,
@@ -35,19 +44,19 @@ void Bend::demand(const std::vector<Demand>& demands) {
         LightRows rows(land_.width(), land_.height(), demand.sun.azimuth, options_.stops);
         Records records = records_of(demand, rows, cells_, spacing_);
         Field<float> samples = rows.sampled(now), nearest = samples;
-        Field<float> dual(samples.width(), samples.height());
+        Field<float> dual(samples.width(), samples.height()), excess = dual;
         sights_.push_back({std::move(rows), std::move(records), std::move(samples),
-                           std::move(nearest), std::move(dual)});
+                           std::move(nearest), std::move(dual), std::move(excess)});
     }
 }
 
 Field<float> Bend::heights() const {
     Field<float> result = land_;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] += change_[i];
+    for_rows(result, [&](std::size_t i) { result[i] += change_[i]; });
     return result;
 }
 
-void Bend::project(Sight& sight) {
+void Bend::project(Sight& sight) const {
     constexpr int kBand = 16;
     parallel_for((sight.rows.rows() + kBand - 1) / kBand, [&](int band) {
         RecordsProjection nearest_to;
@@ -57,37 +66,39 @@ void Bend::project(Sight& sight) {
             const float* sample = sight.samples.row(row).data();
             float* nearest = sight.nearest.row(row).data();
             float* dual = sight.dual.row(row).data();
+            float* excess = sight.excess.row(row).data();
             for (int i = first; i < past; ++i) {
                 dual[i] += kOver * sample[i] + (1.0f - kOver) * nearest[i];
                 nearest[i] = dual[i];
             }
             nearest_to(sight.records, row, first, past, nearest);
-            for (int i = first; i < past; ++i) dual[i] -= nearest[i];
+            for (int i = first; i < past; ++i) {
+                dual[i] -= nearest[i];
+                excess[i] = sample[i] - nearest[i] + dual[i];
+            }
         }
     });
 }
 
-void Bend::hold_fixed(Field<float>& force) const {
+Field<float> Bend::force(float pull) const {
+    Field<float> result = change_;
+    for_rows(result, [&](std::size_t i) { result[i] *= pull; });
+    for (const Sight& sight : sights_) {
+        const Field<float> back = sight.rows.gathered(sight.excess);
+        for_rows(result, [&](std::size_t i) { result[i] -= kPull * back[i]; });
+    }
     for (std::size_t i = 0; i < fixed_.size(); ++i)
-        if (fixed_[i]) force[i] -= kPull * (change_[i] + fixed_dual_[i]);
+        if (fixed_[i]) result[i] -= kPull * (change_[i] + fixed_dual_[i]);
+    return result;
 }
 
 void Bend::run(int iterations) {
     const float pull = kPull * static_cast<float>(sights_.size() + !fixed_.empty());
     const Membrane membrane(land_.width(), land_.height(), options_.stiffness, pull);
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        Field<float> force = change_;
-        for (float& f : force) f *= pull;
-        for (const Sight& sight : sights_) {
-            Field<float> residual = sight.samples;
-            for (std::size_t i = 0; i < residual.size(); ++i)
-                residual[i] += sight.dual[i] - sight.nearest[i];
-            const Field<float> back = sight.rows.gathered(residual);
-            for (std::size_t i = 0; i < force.size(); ++i) force[i] -= kPull * back[i];
-        }
-        hold_fixed(force);
-        membrane.solve(force);
-        change_ = std::move(force);
+        Field<float> solved = force(pull);
+        membrane.solve(solved);
+        change_ = std::move(solved);
         for (std::size_t i = 0; i < fixed_.size(); ++i)
             if (fixed_[i]) fixed_dual_[i] += change_[i];
         const Field<float> now = heights();

@@ -39,9 +39,10 @@ class Bend {
         Field<float> samples;  // A h
         Field<float> nearest;  // z: the same, as it must be
         Field<float> dual;     // u: the sum of what they disagreed in
+        Field<float> excess;   // A h - z + u
     };
-    void project(Sight& sight);
-    void hold_fixed(Field<float>& force) const;
+    void project(Sight& sight) const;
+    Field<float> force(float pull) const;
 
     Field<float> land_, change_;
     double spacing_, cells_;

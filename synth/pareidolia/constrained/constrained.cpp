@@ -19,9 +19,11 @@ namespace {
 
 // The coarsest grid has at most so many cells a side.
 constexpr int kCoarsest = 64;
-constexpr int kCoarseIterations = 100, kHalfIterations = 60, kFineIterations = 50;
-// After the fine grid: rounds of casting, tightening and solving on.
-constexpr int kRounds = 3, kRoundIterations = 15;
+constexpr int kCoarseIterations = 100, kHalfIterations = 50, kFineIterations = 24;
+// After the fine grid: rounds of casting, tightening and solving on, while a round leaves
+// less than this of what was wrong.
+constexpr int kRounds = 8, kRoundIterations = 8;
+constexpr double kWorthwhile = 0.97;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.15, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
@@ -119,8 +121,11 @@ class Rounds {
 
     Field<float> best_of(Bend& bend) {
         for (int round = 0;; ++round) {
+            const std::size_t before = last_;
             cast(bend.heights());
-            if (round == kRounds || last_ == 0) break;
+            const bool helped =
+                round == 0 || double(last_) < kWorthwhile * double(before);
+            if (round == kRounds || !helped) break;
             for (std::size_t i = 0; i < demands_.size(); ++i)
                 tighten(demands_[i], casts_[i]);
             bend.demand(demands_);

@@ -63,7 +63,9 @@ void Membrane::solve(Field<float>& force) const {
     transform_rows(force, 0);
     Field<float> turned = transposed(force);
     transform_rows(turned, 0);
-    for (std::size_t i = 0; i < turned.size(); ++i) turned[i] *= response_[i];
+    parallel_for(turned.height(), 64, [&](int y) {
+        for (int x = 0; x < turned.width(); ++x) turned(x, y) *= response_(x, y);
+    });
     transform_rows(turned, cv::DCT_INVERSE);
     force = transposed(turned);
     transform_rows(force, cv::DCT_INVERSE);
