@@ -36,7 +36,8 @@ class Row {
         const auto [first, past] = rows_.span(row_);
         for (int i = first; i < past; ++i)
             if (rows_.counts(i)) parts[i] = demand_.parts[cell(i)];
-        // The land before a shadow casts it.
+        // The land before a shadow casts it; where none is, its own first cell.
+        if (first < past && parts[first] == Part::kShadow) parts[first] = Part::kLit;
         int before = first;
         for (int i = first; i < past; ++i) {
             if (!rows_.counts(i)) continue;
