@@ -1,6 +1,7 @@
 #include "synth/pareidolia/constrained/bend.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "field/parallel.h"
 
@@ -23,14 +24,14 @@ void for_rows(const Field<float>& field, const Body& body) {
 
 }  // namespace
 
-Bend::Bend(Field<float> land, double spacing, double cells, Field<std::uint8_t> fixed,
+Bend::Bend(Field<float> land, double spacing, double cells, Field<float> held,
            const BendOptions& options)
     : land_(std::move(land)),
       change_(land_.width(), land_.height()),
       spacing_(spacing),
       cells_(cells),
-      fixed_(std::move(fixed)),
-      fixed_dual_(fixed_.width(), fixed_.height()),
+      held_(std::move(held)),
+      held_dual_(held_.width(), held_.height()),
       options_(options) {}
 
 void Bend::demand(const std::vector<Demand>& demands) {
@@ -87,20 +88,27 @@ Field<float> Bend::force(float pull) const {
         const Field<float> back = sight.rows.gathered(sight.excess);
         for_rows(result, [&](std::size_t i) { result[i] -= kPull * back[i]; });
     }
-    for (std::size_t i = 0; i < fixed_.size(); ++i)
-        if (fixed_[i]) result[i] -= kPull * (change_[i] + fixed_dual_[i]);
+    for_rows(held_, [&](std::size_t i) {
+        if (std::isfinite(held_[i]))
+            result[i] -= kPull * (land_[i] + change_[i] - held_[i] + held_dual_[i]);
+    });
     return result;
 }
 
+void Bend::hold() {
+    for_rows(held_, [&](std::size_t i) {
+        if (std::isfinite(held_[i])) held_dual_[i] += land_[i] + change_[i] - held_[i];
+    });
+}
+
 void Bend::run(int iterations) {
-    const float pull = kPull * static_cast<float>(sights_.size() + !fixed_.empty());
+    const float pull = kPull * static_cast<float>(sights_.size() + !held_.empty());
     const Membrane membrane(land_.width(), land_.height(), options_.stiffness, pull);
     for (int iteration = 0; iteration < iterations; ++iteration) {
         Field<float> solved = force(pull);
         membrane.solve(solved);
         change_ = std::move(solved);
-        for (std::size_t i = 0; i < fixed_.size(); ++i)
-            if (fixed_[i]) fixed_dual_[i] += change_[i];
+        hold();
         const Field<float> now = heights();
         for (Sight& sight : sights_) {
             sight.samples = sight.rows.sampled(now);

@@ -21,9 +21,9 @@ struct BendOptions {
 class Bend {
   public:
     // `land` is what changes are counted from; its cells are `cells` of the demands'
-    // wide, and `spacing` metres. Cells with `fixed` above 0 keep their height; empty:
-    // none.
-    Bend(Field<float> land, double spacing, double cells, Field<std::uint8_t> fixed,
+    // wide, and `spacing` metres. Where `held` is finite the land comes to that height;
+    // empty: nowhere.
+    Bend(Field<float> land, double spacing, double cells, Field<float> held,
          const BendOptions& options);
 
     // Anew where margins or parts changed: the demands in the same order, or more of
@@ -43,11 +43,11 @@ class Bend {
     };
     void project(Sight& sight) const;
     Field<float> force(float pull) const;
+    void hold();
 
     Field<float> land_, change_;
     double spacing_, cells_;
-    Field<std::uint8_t> fixed_;
-    Field<float> fixed_dual_;
+    Field<float> held_, held_dual_;
     BendOptions options_;
     std::vector<Sight> sights_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "field/error.h"
@@ -91,23 +92,15 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
     return demand;
 }
 
-Field<std::uint8_t> fixed_cells(const std::optional<Source>& keep, int width,
-                                int height) {
+// Of the base where the land must not change, NaN elsewhere. A coarse cell with any of
+// those is none to keep.
+Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>& base) {
     if (!keep) return {};
-    const Field<float> grey = resized(read_grey(*keep), width, height);
-    Field<std::uint8_t> fixed(width, height);
-    for (std::size_t i = 0; i < fixed.size(); ++i) fixed[i] = grey[i] > 0.5f;
-    return fixed;
-}
-
-Field<std::uint8_t> shrunk(const Field<std::uint8_t>& fixed, int width, int height) {
-    if (fixed.empty()) return {};
-    Field<float> share(fixed.width(), fixed.height());
-    std::copy(fixed.begin(), fixed.end(), share.begin());
-    share = shrunk(std::move(share), width, height);
-    Field<std::uint8_t> result(width, height);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = share[i] > 0.5f;
-    return result;
+    const Field<float> grey = resized(read_grey(*keep), base.width(), base.height());
+    Field<float> kept = base;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (!(grey[i] > 0.5f)) kept[i] = std::numeric_limits<float>::quiet_NaN();
+    return kept;
 }
 
 // Casts what was solved, widens margins where that is wrong and solves on, while it
@@ -181,7 +174,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
     std::vector<Demand> demands;
     for (const ShadowImage& image : images)
         demands.push_back(shown(image, wishes, noise, images.size() == 1));
-    const Field<std::uint8_t> fixed = fixed_cells(wishes.keep, width, height);
+    const Field<float> kept = kept_heights(wishes.keep, base.heights);
 
     double smoothed = 0.0;
     std::vector<Field<float>> lands{calmed(base, images, wishes.hidden, &smoothed)};
@@ -190,8 +183,6 @@ Field<float> constrained(const Options& options, const Terrain& base,
             "the base is too rough for its sun to light it: around the image its slopes "
             "were lessened by {:.0f}%",
             100.0 * smoothed));
-    for (std::size_t i = 0; i < fixed.size(); ++i)
-        if (fixed[i]) lands.front()[i] = base.heights[i];
     while (std::max(lands.back().width(), lands.back().height()) > kCoarsest &&
            std::min(lands.back().width(), lands.back().height()) > 8)
         lands.push_back(shrunk(lands.back(), (lands.back().width() + 1) / 2,
@@ -208,10 +199,11 @@ Field<float> constrained(const Options& options, const Terrain& base,
                        land, 1.0f);
         const double cells = static_cast<double>(width) / land.width();
         const double size = 512.0 / land.width();
-        Bend bend(bent, base.spacing * cells, cells,
-                  shrunk(fixed, land.width(), land.height()),
-                  {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
-                   .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
+        Bend bend(
+            bent, base.spacing * cells, cells,
+            kept.empty() ? Field<float>() : shrunk(kept, land.width(), land.height()),
+            {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
+             .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
         bend.demand(demands);
         bend.run(level == 0   ? kFineIterations
                  : level == 1 ? kHalfIterations
@@ -219,8 +211,8 @@ Field<float> constrained(const Options& options, const Terrain& base,
         context.progress->report(0.7 * (levels - level) / levels);
         bent = level == 0 ? Rounds(base, demands, context).best_of(bend) : bend.heights();
     }
-    for (std::size_t i = 0; i < fixed.size(); ++i)
-        if (fixed[i]) bent[i] = base.heights[i];
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (std::isfinite(kept[i])) bent[i] = kept[i];
     context.progress->report(1.0);
     return bent;
 }
