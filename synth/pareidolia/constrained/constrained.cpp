@@ -25,6 +25,8 @@ constexpr int kCoarseIterations = 100, kHalfIterations = 50, kFineIterations = 2
 // less than this of what was wrong.
 constexpr int kRounds = 8, kRoundIterations = 8;
 constexpr double kWorthwhile = 0.97;
+// With several suns: how often cells that stay wrong give way.
+constexpr int kGivingRounds = 3;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.15, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
@@ -104,61 +106,112 @@ Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>&
 }
 
 // Casts what was solved, widens margins where that is wrong and solves on, while it
-// helps.
+// helps. What several suns cannot have together shows in cells that stay wrong: they give
+// way, and the rest is solved on.
 class Rounds {
   public:
     Rounds(const Terrain& base, std::vector<Demand>& demands, const Context& context)
-        : demands_(demands), context_(context) {
+        : asked_(demands), demands_(demands), context_(context) {
         terrain_.spacing = base.spacing;
     }
 
     Field<float> best_of(Bend& bend) {
+        tightened(bend);
+        for (int i = 0; i < kGivingRounds && demands_.size() > 1 && give_way(); ++i) {
+            bend.demand(demands_);
+            bend.run(kFineIterations);
+            tightened(bend);
+        }
+        return std::move(best_);
+    }
+
+    // Cells of an image that were asked for and are no more.
+    bool gave_way(std::size_t image, std::size_t cell) const {
+        return asked_[image].parts[cell] != Part::kFree &&
+               demands_[image].parts[cell] == Part::kFree;
+    }
+
+  private:
+    void tightened(Bend& bend) {
         for (int round = 0;; ++round) {
-            const std::size_t before = last_;
+            const std::size_t before = wrong_;
             cast(bend.heights());
             const bool helped =
-                round == 0 || double(last_) < kWorthwhile * double(before);
-            if (round == kRounds || !helped) break;
+                round == 0 || double(wrong_) < kWorthwhile * double(before);
+            if (round == kRounds || !helped) return;
             for (std::size_t i = 0; i < demands_.size(); ++i)
                 tighten(demands_[i], casts_[i]);
             bend.demand(demands_);
             bend.run(kRoundIterations);
         }
-        return std::move(best_);
     }
 
-  private:
     void cast(Field<float> heights) {
         terrain_.heights = std::move(heights);
         casts_.clear();
-        last_ = 0;
-        for (const Demand& demand : demands_) {
+        wrong_ = 0;
+        for (const Demand& demand : asked_) {
             casts_.push_back(context_.cast(terrain_, demand.sun, kRays));
-            last_ += wrong_in(demand, casts_.back()).all();
+            wrong_ += wrong_in(demand, casts_.back()).all();
         }
-        if (best_.empty() || last_ < least_) {
-            least_ = last_;
+        if (best_.empty() || wrong_ < least_) {
+            least_ = wrong_;
             best_ = terrain_.heights;
         }
     }
 
+    bool give_way() {
+        bool any = false;
+        for (std::size_t i = 0; i < demands_.size(); ++i)
+            for (int y = 0; y < demands_[i].parts.height(); ++y)
+                for (int x = 0; x < demands_[i].parts.width(); ++x) {
+                    Part& part = demands_[i].parts(x, y);
+                    if (part == Part::kFree) continue;
+                    int dark = 0;
+                    for (int sample = 0; sample < kRays * kRays; ++sample)
+                        dark += casts_[i](x * kRays + sample % kRays,
+                                          y * kRays + sample / kRays);
+                    const int wrong = part == Part::kLit ? dark : kRays * kRays - dark;
+                    if (2 * wrong <= kRays * kRays) continue;
+                    part = Part::kFree;
+                    any = true;
+                }
+        return any;
+    }
+
     Terrain terrain_;
+    const std::vector<Demand> asked_;
     std::vector<Demand>& demands_;
     const Context& context_;
     std::vector<Field<std::uint8_t>> casts_;
-    std::size_t last_ = 0, least_ = 0;  // wrong samples
+    std::size_t wrong_ = 0, least_ = 0;  // samples
     Field<float> best_;
 };
 
-void say_contradictions(const Contradictions& found, Progress& progress) {
-    if (found.quadruples == 0) return;
+void note_given_up(const Rounds& rounds, std::vector<ShadowImage>& images) {
+    for (std::size_t i = 0; i < images.size(); ++i)
+        for (std::size_t cell = 0; cell < images[i].target.size(); ++cell) {
+            if (!rounds.gave_way(i, cell)) continue;
+            Field<std::uint8_t>& given_up = images[i].given_up;
+            if (given_up.empty())
+                given_up = Field<std::uint8_t>(images[i].target.width(),
+                                               images[i].target.height());
+            given_up[cell] = 1;
+        }
+}
+
+void say_contradictions(const Contradictions& found,
+                        const std::vector<ShadowImage>& images, Progress& progress) {
+    std::ptrdiff_t cells = 0;
+    for (const ShadowImage& image : images)
+        cells += std::count(image.given_up.begin(), image.given_up.end(), 1);
+    if (cells == 0) return;
     progress.warn(fmt::format(
-        "the suns contradict one another: {} cells give way, {} at least must be wrong "
-        "in "
-        "any land, and no land shows the images with a mean IoU above {:.3f}; move, turn "
-        "or scale an image so that they share fewer lines of light, or bring the suns "
-        "together",
-        found.given_up, found.least_wrong, found.bound));
+        "the suns contradict one another: {} cells give way; in any land {} at least "
+        "must "
+        "be wrong, and the mean IoU cannot be above {:.3f}: move, turn or scale an image "
+        "so that they share fewer lines of light, or bring the suns together",
+        cells, found.least_wrong, found.bound));
 }
 
 }  // namespace
@@ -169,7 +222,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
     const ConstrainedOptions& wishes = options.constrained;
     const Field<float> noise = wandering(width, height, context.seed);
     for (ShadowImage& image : images) image.window = window_of(image.target, noise);
-    say_contradictions(settle(images), *context.progress);
+    const Contradictions contradictions = settle(images);
 
     std::vector<Demand> demands;
     for (const ShadowImage& image : images)
@@ -199,20 +252,25 @@ Field<float> constrained(const Options& options, const Terrain& base,
                        land, 1.0f);
         const double cells = static_cast<double>(width) / land.width();
         const double size = 512.0 / land.width();
-        Bend bend(
-            bent, base.spacing * cells, cells,
-            kept.empty() ? Field<float>() : shrunk(kept, land.width(), land.height()),
-            {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
-             .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
+        Bend bend(bent, base.spacing * cells, cells,
+                  kept.empty() ? Field<float>()
+                               : shrunk(kept, land.width(), land.height()),
+                  {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
+                   .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
         bend.demand(demands);
         bend.run(level == 0   ? kFineIterations
                  : level == 1 ? kHalfIterations
                               : kCoarseIterations);
         context.progress->report(0.7 * (levels - level) / levels);
-        bent = level == 0 ? Rounds(base, demands, context).best_of(bend) : bend.heights();
+        bent = bend.heights();
+        if (level > 0) continue;
+        Rounds rounds(base, demands, context);
+        bent = rounds.best_of(bend);
+        note_given_up(rounds, images);
     }
     for (std::size_t i = 0; i < kept.size(); ++i)
         if (std::isfinite(kept[i])) bent[i] = kept[i];
+    say_contradictions(contradictions, images, *context.progress);
     context.progress->report(1.0);
     return bent;
 }
