@@ -31,6 +31,7 @@
 #include "render/preview.h"
 #include "render/shadow/figures.h"
 #include "render/shadow/overlay.h"
+#include "synth/pareidolia/constrained/contradictions.h"
 #include "synth/stage.h"
 
 using namespace cydonia;
@@ -376,14 +377,20 @@ void print_pair(const std::string& name, const Hidden& made, const Terrain& base
     const render::CheckedLand land(made.land.heights, made.land.spacing);
     const render::CheckedLand before(base.heights, base.spacing);
     fmt::print("{:32.31}", name);
+    double mean = 0.0;
     for (const ShadowImage& image : made.land.shadows) {
         const auto f = shadow_figures(land, &before, image);
-        fmt::print("  {:6.4f} {:6.4f} {:6.4f} {:5.1f}% {:6.1f}", f.fine.iou, f.iou_1x1,
-                   f.given_up.bound, 100.0 * f.given_up.share, f.standing_out);
+        fmt::print("  {:6.4f} {:6.4f} {:5.1f}% {:6.1f}", f.fine.iou, f.iou_1x1,
+                   100.0 * f.given_up.share, f.standing_out);
         ious.push_back(f.fine.iou);
-        gaps.push_back(f.given_up.bound - f.fine.iou);
+        mean += f.fine.iou / static_cast<double>(made.land.shadows.size());
     }
-    fmt::print("  {:6.2f}\n", made.seconds);
+    // What no land can do, whatever this one gave up.
+    std::vector<ShadowImage> asked = made.land.shadows;
+    for (ShadowImage& image : asked) image.given_up = {};
+    const double bound = pareidolia::settle(asked).bound;
+    gaps.push_back(bound - mean);
+    fmt::print("  {:6.4f} {:6.4f}  {:6.2f}\n", mean, bound, made.seconds);
     std::fflush(stdout);
 }
 
@@ -393,8 +400,8 @@ void two_images(const Request& request, const Terrain& base,
                 const std::function<Pair(const Source&, const Source&)>& pair) {
     fmt::print("\n{}\n{:32}", title, "");
     for (int i = 0; i < 2; ++i)
-        fmt::print("  {:>6} {:>6} {:>6} {:>6} {:>6}", "2x2", "1x1", "bound", "gave", "z");
-    fmt::print("  {:>6}\n", "s");
+        fmt::print("  {:>6} {:>6} {:>6} {:>6}", "2x2", "1x1", "gave", "z");
+    fmt::print("  {:>6} {:>6}  {:>6}\n", "mean", "bound", "s");
     std::vector<double> ious, gaps;
     const auto hide = [&](const Source& a, const Source& b) {
         const std::string name = a.path.stem().string() + " + " + b.path.stem().string();
@@ -451,7 +458,7 @@ void two_suns(const Request& request, const std::vector<Source>& images) {
         "nested, one azimuth, sun at 20 and 26 degrees: mean 2x2 at least 0.975",
         [&](const Source& a, const Source& b) { return nested(a, b, scratch.path()); });
     two_images(request, base, images,
-               "overlapping, suns at 90 degrees: each within 0.03 of its bound",
+               "overlapping, suns at 90 degrees: their mean within 0.03 of its bound",
                overlapping);
 }
 
