@@ -34,6 +34,7 @@ void add_commands(CLI::App& app, Action& action) {
     add_synth(app, action);
     add_check(app, action);
     add_emit(app, action);
+    add_export(app, action);
     add_gallery(app, action);
     add_validate(app, action);
     add_info(app, action);

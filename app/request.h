@@ -1,12 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "field/solid.h"
 #include "render/options.h"
 
 namespace cydonia {
+
+// The land as a solid, besides.
+struct SolidRequest {
+    MeshFormat format = MeshFormat::kStl;
+    SolidOptions options = {};
+};
 
 // What the command line asks for.
 struct Request {
@@ -20,6 +28,7 @@ struct Request {
     bool dry_run = false;  // prints the plan only
     bool first_camera_only = false;
     bool explain = false;  // stages show how they came to their land
+    std::optional<SolidRequest> solid = {};
 };
 
 // How far to go; each goal includes those before it, but the sweep, which films frames of

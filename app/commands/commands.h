@@ -26,6 +26,7 @@ void add_sweep(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
 
 struct Help {
     std::string name;

@@ -42,6 +42,7 @@ Metadata Job::metadata() const {
 std::vector<Step> steps_of(Job& job) {
     std::vector<Step> steps = stage_steps(job);
     steps.push_back(export_step(job));
+    if (job.request.solid) steps.push_back(solid_step(job));
     steps.push_back(check_step(job));
     steps.push_back(assets_step(job));
     for (const render::CameraOptions& camera : job.cameras()) {

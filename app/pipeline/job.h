@@ -49,6 +49,7 @@ struct FrameOf {
 // The steps of a job, in the order in which they are done.
 std::vector<Step> stage_steps(Job& job);  // each after its explanation, if asked for
 Step export_step(Job& job);
+Step solid_step(Job& job);  // of a request for one
 Step check_step(Job& job);
 Step assets_step(Job& job);
 Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of = {});

@@ -107,6 +107,11 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }
+// Triangles are two a sample; as text each takes up to 55 bytes, half of it twice.
+std::uint64_t of_solid(std::uint64_t cells, int samples) {
+    const auto side = static_cast<std::uint64_t>(std::max(samples, 2));
+    return kProgram + 60 * cells + 220 * std::min(cells, side * side);
+}
 // Land and base are cast, several suns at once.
 std::uint64_t of_check(std::uint64_t cells) { return kProgram + 130 * cells; }
 

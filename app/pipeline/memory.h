@@ -16,6 +16,8 @@ namespace memory {
 std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::uint64_t threads);
 std::uint64_t of_export(std::uint64_t cells);
+// At most `samples` along the longer side.
+std::uint64_t of_solid(std::uint64_t cells, int samples);
 std::uint64_t of_check(std::uint64_t cells);
 std::uint64_t of_emit(std::uint64_t cells);
 std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels);
