@@ -206,10 +206,14 @@ void say_contradictions(const Contradictions& found,
     for (const ShadowImage& image : images)
         cells += std::count(image.given_up.begin(), image.given_up.end(), 1);
     if (cells == 0) return;
+    if (found.quadruples == 0) {
+        progress.note(fmt::format("{} cells give way to another sun's image", cells));
+        return;
+    }
     progress.warn(fmt::format(
         "the suns contradict one another: {} cells give way; in any land {} at least "
-        "must "
-        "be wrong, and the mean IoU cannot be above {:.3f}: move, turn or scale an image "
+        "must be wrong, and the mean IoU cannot be above {:.3f}: move, turn or scale an "
+        "image "
         "so that they share fewer lines of light, or bring the suns together",
         cells, found.least_wrong, found.bound));
 }
@@ -252,11 +256,11 @@ Field<float> constrained(const Options& options, const Terrain& base,
                        land, 1.0f);
         const double cells = static_cast<double>(width) / land.width();
         const double size = 512.0 / land.width();
-        Bend bend(bent, base.spacing * cells, cells,
-                  kept.empty() ? Field<float>()
-                               : shrunk(kept, land.width(), land.height()),
-                  {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
-                   .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
+        Bend bend(
+            bent, base.spacing * cells, cells,
+            kept.empty() ? Field<float>() : shrunk(kept, land.width(), land.height()),
+            {.stiffness = {1.0, kBend * wishes.natural, kKeep * size * size},
+             .stops = level == 0 ? Stops::kEveryEdge : Stops::kColumns});
         bend.demand(demands);
         bend.run(level == 0   ? kFineIterations
                  : level == 1 ? kHalfIterations
