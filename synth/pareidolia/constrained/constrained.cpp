@@ -30,6 +30,8 @@ constexpr int kGivingRounds = 3;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.15, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
+// Cells around the window that are lit too, so that natural shadows end outside it.
+constexpr float kRim = 2.0f;
 // The price of curvature against that of slope, at natural = 1.
 constexpr double kBend = 0.3;
 // The price of height alone on 512 cells a side: holds what nothing else does.
@@ -81,6 +83,7 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
                                static_cast<float>(kCrisp * options.faithful)),
                   // Several images need all the depth they can get.
                   alone && options.hidden > 0.0 ? 1.0 / options.hidden : kAnyDepth};
+    const Field<float> beyond = cells_inside(image.window, false);
     for (std::size_t i = 0; i < target.size(); ++i) {
         // Lit ground that rises evenly everywhere would look ironed.
         demand.light[i] =
@@ -88,7 +91,7 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
         if (!image.given_up.empty() && image.given_up[i]) continue;
         if (target[i])
             demand.parts[i] = Part::kShadow;
-        else if (image.window[i])
+        else if (beyond[i] <= kRim)
             demand.parts[i] = Part::kLit;
     }
     return demand;
