@@ -131,12 +131,12 @@ TEST(Tighten, CrestsAreForgiven) {
 
 TEST(Tighten, ComesToAnEnd) {
     Demand demand = demand_of(90.0);
-    demand.crisp(3, 14) = 2.0f;  // wide from the beginning: stays
+    demand.light(3, 14) = 2.0f;  // wide from the beginning: stays
     auto cast = perfect(demand);
     set_cell(cast, 4, 14, 1);
     set_cell(cast, 10, 8, 0);
     for (int round = 0; round < 50; ++round) tighten(demand, cast);
     EXPECT_LE(demand.light(4, 14), 1.0f);
     EXPECT_LE(demand.crisp(10, 8), 1.0f);
-    EXPECT_EQ(demand.crisp(3, 14), 2.0f);
+    EXPECT_EQ(demand.light(3, 14), 2.0f);
 }

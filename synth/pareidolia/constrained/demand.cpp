@@ -37,21 +37,16 @@ class Row {
         for (int i = first; i < past; ++i)
             if (rows_.counts(i)) parts[i] = demand_.parts[cell(i)];
         // The land before a shadow casts it; where none is, its own first cell.
-        if (first < past && parts[first] == Part::kShadow) parts[first] = Part::kLit;
         int before = first;
         for (int i = first; i < past; ++i) {
             if (!rows_.counts(i)) continue;
-            if (parts[i] == Part::kShadow && parts[before] == Part::kFree)
-                parts[before] = Part::kLit;
+            const bool cast = i > first && (parts[before] == Part::kLit ||
+                                            parts[before] == Part::kShadow);
+            if (parts[i] == Part::kShadow && !cast) parts[before] = Part::kLit;
             before = i;
         }
-        // What nothing can cast, and what nothing keeps down.
+        // What nothing keeps down.
         bool lit = false;
-        for (int i = first; i < past; ++i) {
-            lit |= parts[i] == Part::kLit;
-            if (parts[i] == Part::kShadow && !lit) parts[i] = Part::kAny;
-        }
-        lit = false;
         for (int i = past - 1; i >= first; --i) {
             lit |= parts[i] == Part::kLit;
             if (parts[i] == Part::kFree && !lit) parts[i] = Part::kAny;
