@@ -312,7 +312,7 @@ void print_summary(const std::vector<Row>& rows) {
                short_of.empty() ? "all met" : "short of what is asked:\n" + short_of);
 }
 
-// The thesis' own solver at its own size, on a base calm enough for it (scenes/text).
+// The thesis' own solver at its own size, on a base calm enough for it.
 void add_features(const Source& target, Row& row) {
     static const Terrain base = [] {
         distance::Options options;
