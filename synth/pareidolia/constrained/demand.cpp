@@ -57,6 +57,7 @@ class Row {
     void read_offsets(std::span<const Part> parts, double fall, std::span<float> offsets,
                       std::span<float> depths) const {
         const auto [first, past] = rows_.span(row_);
+        if (first == past) return;
         const double cell_fall = fall / rows_.step();
         double margins = 0.0;  // of all lit samples so far
         double column = rows_.column(first);
