@@ -22,8 +22,7 @@ enum class MeshFormat { kStl, kObj, kPly, kGlb };
 // "stl": as the command line and the file's extension name it.
 std::string_view name_of(MeshFormat format);
 
-// What a file of the mesh holds. Made whole in memory: at most 55 bytes a triangle, and
-// half of that again while it grows.
+// What a file of the mesh holds, at most 50 bytes a triangle. It has triangles.
 std::string file_of(const Mesh& mesh, MeshFormat format);
 
 }  // namespace cydonia
