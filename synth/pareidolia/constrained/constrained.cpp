@@ -28,7 +28,7 @@ constexpr double kWorthwhile = 0.97;
 // With several suns: how often cells that stay wrong give way.
 constexpr int kGivingRounds = 3;
 // Margins at faithful = 1, as shares of the light's own fall.
-constexpr double kLight = 0.15, kCrisp = 0.25;
+constexpr double kLight = 0.1, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
 // Cells around the window that are lit too, so that natural shadows end outside it.
 constexpr float kRim = 2.0f;

@@ -31,14 +31,16 @@ Share shares(const Demand& demand, const Field<std::uint8_t>& cast) {
     return share;
 }
 
-// A crest is dark beyond its own sample, whatever its margin: not to be mended.
-void forgive_crests(const Demand& demand, Field<float>& dark) {
-    const int dx = static_cast<int>(std::lround(-std::sin(demand.sun.azimuth)));
-    const int dy = static_cast<int>(std::lround(std::cos(demand.sun.azimuth)));
+// Beside shadow no margin mends what is dark: a crest is dark beyond its own sample, and
+// a margin along the side of a shadow adds up, step by step, to a cliff.
+void forgive_edges(const Demand& demand, Field<float>& dark) {
+    const auto shadow = [&](int x, int y) {
+        return demand.parts.contains(x, y) && demand.parts(x, y) == Part::kShadow;
+    };
     for (int y = 0; y < dark.height(); ++y)
         for (int x = 0; x < dark.width(); ++x)
-            if (dark.contains(x + dx, y + dy) &&
-                demand.parts(x + dx, y + dy) == Part::kShadow)
+            if (shadow(x - 1, y) || shadow(x + 1, y) || shadow(x, y - 1) ||
+                shadow(x, y + 1))
                 dark(x, y) = 0.0f;
 }
 
@@ -69,7 +71,7 @@ Wrong wrong_in(const Demand& demand, const Field<std::uint8_t>& cast) {
 
 void tighten(Demand& demand, const Field<std::uint8_t>& cast) {
     Share wrong = shares(demand, cast);
-    forgive_crests(demand, wrong.dark);
+    forgive_edges(demand, wrong.dark);
     widen(demand.light, wrong.dark);
     widen(demand.crisp, wrong.lit);
 }
