@@ -119,8 +119,7 @@ TEST_P(PovrayShadow, IsTheCastersShadow) {
     if (exit_code == 127) GTEST_SKIP() << "no povray on the PATH";
     ASSERT_EQ(exit_code, 0) << read_text(folder_ / "povray.log");
 
-    SilentProgress progress;
-    check(terrain, folder_, progress);
+    check(terrain, folder_);
     const Mask cast = inner(black_pixels(read_rgba(open_source(folder_ / "cast.png"))));
     const Mask drawn = inner(dark_pixels(read_exr_rgb(folder_ / "frame.exr")));
     const double iou = score(cast, drawn).iou;
