@@ -128,8 +128,8 @@ bool is_svg(const Source& source) {
 
 std::array<double, 2> page_size(const Source& source) {
     silence_glib();
-    const Handle handle = opened(
-        source.path.string(), read_text(source.path, kLargestSvg), SvgEdges::kSmooth);
+    const Handle handle = opened(source.path.string(),
+                                 read_text(source.path, kLargestSvg), SvgEdges::kSmooth);
     const RsvgRectangle page = page_of(handle.get(), 0, 0);
     if (!(page.width > 0.0 && page.height > 0.0)) return {0.0, 0.0};
     return {page.width, page.height};
