@@ -141,10 +141,15 @@ TEST_F(Sweep, AnInterruptedDayGoesOn) {
         48);
     ASSERT_EQ(run({folder.path()}, command).code, 0);
     EXPECT_TRUE(fs::exists(out / "frames/day-0009.png"));
+    // A frame that was written but not yet noted when the signal came is made again: one
+    // a worker at most.
+    const auto after = times();
+    std::set<std::string> again;
     for (const auto& [file, time] : before)
-        if (file.starts_with("frames/") || file.ends_with(".exr")) {
-            EXPECT_EQ(times().at(file), time) << file;
-        }
+        if ((file.starts_with("frames/") || file.ends_with(".exr")) &&
+            after.at(file) != time)
+            again.insert(fs::path(file).stem().string());
+    EXPECT_LE(again.size(), 2u);
 }
 
 TEST_F(Sweep, WorkersDoNotChangeThePixels) {
