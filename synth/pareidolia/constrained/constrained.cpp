@@ -108,6 +108,15 @@ Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>&
     return kept;
 }
 
+bool mostly_wrong(Part asked, const Field<std::uint8_t>& cast, int x, int y) {
+    if (asked != Part::kLit && asked != Part::kShadow) return false;
+    int dark = 0;
+    for (int sample = 0; sample < kRays * kRays; ++sample)
+        dark += cast(x * kRays + sample % kRays, y * kRays + sample / kRays);
+    const int wrong = asked == Part::kLit ? dark : kRays * kRays - dark;
+    return 2 * wrong > kRays * kRays;
+}
+
 // Casts what was solved, widens margins where that is wrong and solves on, while it
 // helps. What several suns cannot have together shows in cells that stay wrong: they give
 // way, and the rest is solved on.
@@ -128,10 +137,10 @@ class Rounds {
         return std::move(best_);
     }
 
-    // Cells of an image that were asked for and are no more.
-    bool gave_way(std::size_t image, std::size_t cell) const {
-        return asked_[image].parts[cell] != Part::kFree &&
-               demands_[image].parts[cell] == Part::kFree;
+    // Whether what was asked of a cell is asked no more, and not there.
+    bool gave_way(std::size_t image, int x, int y) const {
+        return demands_[image].parts(x, y) == Part::kFree &&
+               mostly_wrong(asked_[image].parts(x, y), best_casts_[image], x, y);
     }
 
   private:
@@ -160,6 +169,7 @@ class Rounds {
         if (best_.empty() || wrong_ < least_) {
             least_ = wrong_;
             best_ = terrain_.heights;
+            best_casts_ = casts_;
         }
     }
 
@@ -169,13 +179,7 @@ class Rounds {
             for (int y = 0; y < demands_[i].parts.height(); ++y)
                 for (int x = 0; x < demands_[i].parts.width(); ++x) {
                     Part& part = demands_[i].parts(x, y);
-                    if (part == Part::kFree) continue;
-                    int dark = 0;
-                    for (int sample = 0; sample < kRays * kRays; ++sample)
-                        dark += casts_[i](x * kRays + sample % kRays,
-                                          y * kRays + sample / kRays);
-                    const int wrong = part == Part::kLit ? dark : kRays * kRays - dark;
-                    if (2 * wrong <= kRays * kRays) continue;
+                    if (!mostly_wrong(part, casts_[i], x, y)) continue;
                     part = Part::kFree;
                     any = true;
                 }
@@ -189,18 +193,20 @@ class Rounds {
     std::vector<Field<std::uint8_t>> casts_;
     std::size_t wrong_ = 0, least_ = 0;  // samples
     Field<float> best_;
+    std::vector<Field<std::uint8_t>> best_casts_;
 };
 
 void note_given_up(const Rounds& rounds, std::vector<ShadowImage>& images) {
-    for (std::size_t i = 0; i < images.size(); ++i)
-        for (std::size_t cell = 0; cell < images[i].target.size(); ++cell) {
-            if (!rounds.gave_way(i, cell)) continue;
-            Field<std::uint8_t>& given_up = images[i].given_up;
-            if (given_up.empty())
-                given_up = Field<std::uint8_t>(images[i].target.width(),
-                                               images[i].target.height());
-            given_up[cell] = 1;
-        }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const int width = images[i].target.width(), height = images[i].target.height();
+        Field<std::uint8_t>& given_up = images[i].given_up;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                if (!rounds.gave_way(i, x, y)) continue;
+                if (given_up.empty()) given_up = Field<std::uint8_t>(width, height);
+                given_up(x, y) = 1;
+            }
+    }
 }
 
 void say_contradictions(const Contradictions& found,
