@@ -142,8 +142,8 @@ TEST_F(Sweep, AnInterruptedDayGoesOn) {
         48);
     ASSERT_EQ(run({folder.path()}, command).code, 0);
     EXPECT_TRUE(fs::exists(out / "frames/day-0009.png"));
-    // A frame that was written but not yet noted when the signal came is made again: one
-    // a worker at most.
+    // What was written but not yet noted when the signal came is made again: a frame each
+    // of the two workers, and the shot that was emitted meanwhile.
     const auto after = times();
     std::set<std::string> again;
     for (const auto& [file, time] : before)
