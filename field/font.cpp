@@ -9,20 +9,14 @@
 #include <tuple>
 
 #include "field/error.h"
+#include "field/released.h"
 
 namespace cydonia {
 namespace {
 
-template <auto free>
-struct Free {
-    template <class T>
-    void operator()(T* thing) const {
-        free(thing);
-    }
-};
-using Pattern = std::unique_ptr<FcPattern, Free<FcPatternDestroy>>;
-using Objects = std::unique_ptr<FcObjectSet, Free<FcObjectSetDestroy>>;
-using Fonts = std::unique_ptr<FcFontSet, Free<FcFontSetDestroy>>;
+using Pattern = std::unique_ptr<FcPattern, Released<FcPatternDestroy>>;
+using Objects = std::unique_ptr<FcObjectSet, Released<FcObjectSetDestroy>>;
+using Fonts = std::unique_ptr<FcFontSet, Released<FcFontSetDestroy>>;
 
 bool equal_but_for_case(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) {

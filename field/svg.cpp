@@ -9,6 +9,7 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/parallel.h"
+#include "field/released.h"
 
 namespace cydonia {
 namespace {
@@ -20,16 +21,9 @@ constexpr std::string_view kCrispStyle =
     "!important; "
     "image-rendering: optimizeSpeed !important }";
 
-template <auto free>
-struct Free {
-    template <class T>
-    void operator()(T* thing) const {
-        free(thing);
-    }
-};
-using Handle = std::unique_ptr<RsvgHandle, Free<g_object_unref>>;
-using Surface = std::unique_ptr<cairo_surface_t, Free<cairo_surface_destroy>>;
-using Canvas = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
+using Handle = std::unique_ptr<RsvgHandle, Released<g_object_unref>>;
+using Surface = std::unique_ptr<cairo_surface_t, Released<cairo_surface_destroy>>;
+using Canvas = std::unique_ptr<cairo_t, Released<cairo_destroy>>;
 
 // Calls act(&error) and turns what it reports into a bad_request.
 template <class Act>
@@ -37,7 +31,7 @@ auto checked(const std::string& name, const Act& act) {
     GError* error = nullptr;
     const auto result = act(&error);
     if (result) return result;
-    const std::unique_ptr<GError, Free<g_error_free>> owned(error);
+    const std::unique_ptr<GError, Released<g_error_free>> owned(error);
     std::string reason = error ? error->message : "not an SVG drawing";
     reason.erase(reason.find_last_not_of(" \n") + 1);  // libxml ends with empty lines
     throw bad_request("{}: {}", name, reason);

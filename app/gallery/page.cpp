@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/console.h"
+#include "field/markup.h"
 
 namespace cydonia {
 namespace {
@@ -84,32 +85,6 @@ std::string leading_comment(std::string_view scene) {
         scene.remove_prefix(end == scene.npos ? scene.size() : end + 1);
     }
     return comment;
-}
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                safe += c;
-        }
-    }
-    return safe;
 }
 
 }  // namespace cydonia

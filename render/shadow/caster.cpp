@@ -15,6 +15,7 @@
 
 #include "field/error.h"
 #include "field/parallel.h"
+#include "field/released.h"
 
 namespace cydonia::render {
 
@@ -57,16 +58,9 @@ std::vector<Stop> stops(int count, int rays, bool forward) {
     return result;
 }
 
-// Embree's objects count references and are released, not deleted.
-template <auto kRelease>
-struct Releaser {
-    template <class T>
-    void operator()(T* object) const {
-        kRelease(object);
-    }
-};
+// Embree's objects count references.
 template <class Object, auto kRelease>
-using Handle = std::unique_ptr<std::remove_pointer_t<Object>, Releaser<kRelease>>;
+using Handle = std::unique_ptr<std::remove_pointer_t<Object>, Released<kRelease>>;
 
 Error no_memory(int width, int height) {
     return failure("not enough memory to cast the shadows of {}x{} heights", width,

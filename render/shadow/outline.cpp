@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
+#include "field/cells_inside.h"
 #include "field/error.h"
 #include "render/shadow/shading.h"
 
@@ -28,22 +28,15 @@ struct Sum {
 }  // namespace
 
 Field<std::uint8_t> near_outline(const Field<std::uint8_t>& target) {
-    // To the nearest cell of the other kind, whose middle is half a cell beyond the
-    // outline.
-    const auto distance = [&](bool from_dark) {
-        cv::Mat from(target.height(), target.width(), CV_8U), result;
-        std::ranges::transform(target, from.begin<std::uint8_t>(), [&](auto t) {
-            return static_cast<std::uint8_t>((t != 0) == from_dark);
-        });
-        cv::distanceTransform(from, result, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-        return result;
-    };
     Field<std::uint8_t> near(target.width(), target.height());
     const auto dark = std::ranges::count_if(target, [](auto t) { return t != 0; });
     if (dark == 0 || dark == static_cast<std::ptrdiff_t>(target.size())) return near;
-    const cv::Mat away = distance(true) + distance(false);  // one of them is 0
-    std::transform(away.begin<float>(), away.end<float>(), near.begin(),
-                   [](float d) { return static_cast<std::uint8_t>(d <= kNear + 0.5); });
+    // To the nearest cell of the other kind, whose middle is half a cell beyond the
+    // outline; one of them is 0.
+    const Field<float> dark_side = cells_inside(target, true);
+    const Field<float> light_side = cells_inside(target, false);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        near[i] = dark_side[i] + light_side[i] <= kNear + 0.5;
     return near;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "field/cells_inside.h"
 #include "field/error.h"
 
 namespace cydonia::render {
@@ -50,14 +51,13 @@ Mask outline(const Mask& mask, const Mask& window, int rays) {
 double share_near(const Mask& line, const Mask& other, double distance) {
     if (std::ranges::none_of(line, [](auto m) { return m != 0; })) return 1.0;
     if (std::ranges::none_of(other, [](auto m) { return m != 0; })) return 0.0;
-    cv::Mat away;
-    cv::distanceTransform(matrix(other) == 0, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    const Field<float> away = cells_inside(other, false);
     std::size_t near = 0, all = 0;
     for (int y = 0; y < line.height(); ++y)
         for (int x = 0; x < line.width(); ++x)
             if (line(x, y)) {
                 ++all;
-                near += away.at<float>(y, x) <= distance + 1e-3;
+                near += away(x, y) <= distance + 1e-3;
             }
     return ratio(near, all);
 }

@@ -3,8 +3,8 @@
 #include "synth/distance/regions.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
+#include "field/cells_inside.h"
 #include "field/error.h"
 #include "field/strokes.h"
 
@@ -22,11 +22,7 @@ Field<float> drawn(const Source& image, const Graph& graph) {
 Field<float> depth_inside(const Field<float>& mask) {
     Field<std::uint8_t> inside(mask.width(), mask.height());
     std::ranges::transform(mask, inside.begin(), [](float m) { return m >= 0.5f; });
-    Field<float> depth(mask.width(), mask.height());
-    const cv::Mat from(mask.height(), mask.width(), CV_8U, inside.data());
-    cv::Mat to(mask.height(), mask.width(), CV_32F, depth.data());
-    cv::distanceTransform(from, to, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return depth;
+    return cells_inside(inside, true);
 }
 
 Field<float> mask_of(const Region& region, const Options& options, const Graph& graph,

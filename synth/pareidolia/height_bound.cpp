@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <span>
 
+#include "field/cells_inside.h"
 #include "field/parallel.h"
 
 namespace cydonia::pareidolia {
@@ -106,14 +106,11 @@ T nearest(const Field<T>& field, GridPoint p) {
 }  // namespace
 
 Field<std::uint8_t> anti_shadow(const Field<std::uint8_t>& target, double reach) {
-    cv::Mat lit(target.height(), target.width(), CV_8U);
-    std::transform(target.begin(), target.end(), lit.begin<std::uint8_t>(),
-                   [](std::uint8_t t) { return t ? 0 : 1; });
-    cv::Mat distance;
-    cv::distanceTransform(lit, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    const Field<float> distance = cells_inside(target, false);
     Field<std::uint8_t> band(target.width(), target.height());
-    std::transform(distance.begin<float>(), distance.end<float>(), band.begin(),
-                   [reach](float d) { return d > 0.0f && d <= reach ? 1 : 0; });
+    std::ranges::transform(distance, band.begin(), [reach](float d) {
+        return static_cast<std::uint8_t>(d > 0.0f && d <= reach);
+    });
     return band;
 }
 

@@ -5,6 +5,7 @@
 
 #include "field/error.h"
 #include "field/font.h"
+#include "field/markup.h"
 #include "field/svg.h"
 #include "field/utf8.h"
 
@@ -14,32 +15,6 @@ namespace {
 constexpr std::size_t kMostLetters = 256;
 // Units of the drawing, and pixels at most: FreeType fails at magnified letters.
 constexpr double kEm = 4000.0;
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&apos;";
-                break;
-            default:
-                safe += c;
-        }
-    }
-    return safe;
-}
 
 std::vector<char32_t> letters_of(const std::string& text) {
     const auto letters = characters_of(text);

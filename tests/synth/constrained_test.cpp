@@ -1,4 +1,5 @@
 #include "synth/pareidolia/constrained/constrained.h"
+#include "field/cells_inside.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,3 +1,4 @@
+#include "field/cells_inside.h"
 #include "synth/pareidolia/constrained/window.h"
 
 #include <gtest/gtest.h>

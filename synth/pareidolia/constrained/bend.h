@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "synth/pareidolia/constrained/demand.h"
@@ -10,7 +9,6 @@ namespace cydonia::pareidolia {
 
 struct BendOptions {
     Stiffness stiffness;
-    int iterations = 60;
     Stops stops = Stops::kColumns;
 };
 
@@ -26,8 +24,7 @@ class Bend {
     Bend(Field<float> land, double spacing, double cells, Field<float> held,
          const BendOptions& options);
 
-    // Anew where margins or parts changed: the demands in the same order, or more of
-    // them.
+    // At first, and anew where margins or parts changed: the same suns in the same order.
     void demand(const std::vector<Demand>& demands);
     void run(int iterations);
     Field<float> heights() const;

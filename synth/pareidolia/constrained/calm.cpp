@@ -4,9 +4,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "field/cells_inside.h"
 #include "field/parallel.h"
 #include "synth/pareidolia/constrained/membrane.h"
-#include "synth/pareidolia/constrained/window.h"
 
 namespace cydonia::pareidolia {
 namespace {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "field/cells_inside.h"
 #include "field/error.h"
 #include "field/image.h"
 #include "field/noise.h"
@@ -12,7 +13,7 @@
 #include "synth/pareidolia/constrained/bend.h"
 #include "synth/pareidolia/constrained/calm.h"
 #include "synth/pareidolia/constrained/contradictions.h"
-#include "synth/pareidolia/constrained/tighten.h"
+#include "synth/pareidolia/constrained/rounds.h"
 #include "synth/pareidolia/constrained/window.h"
 
 namespace cydonia::pareidolia {
@@ -21,12 +22,6 @@ namespace {
 // The coarsest grid has at most so many cells a side.
 constexpr int kCoarsest = 64;
 constexpr int kCoarseIterations = 100, kHalfIterations = 50, kFineIterations = 24;
-// After the fine grid: rounds of casting, tightening and solving on, while a round leaves
-// less than this of what was wrong.
-constexpr int kRounds = 8, kRoundIterations = 8;
-constexpr double kWorthwhile = 0.97;
-// With several suns: how often cells that stay wrong give way.
-constexpr int kGivingRounds = 3;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.1, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
@@ -36,7 +31,6 @@ constexpr float kRim = 2.0f;
 constexpr double kBend = 0.3;
 // The price of height alone on 512 cells a side: holds what nothing else does.
 constexpr double kKeep = 1e-6;
-constexpr int kRays = 2;  // a cell side, in the check between the rounds
 // Calming of a base below this goes without saying.
 constexpr double kSaidSmoothing = 0.25;
 
@@ -107,94 +101,6 @@ Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>&
         if (!(grey[i] > 0.5f)) kept[i] = std::numeric_limits<float>::quiet_NaN();
     return kept;
 }
-
-bool mostly_wrong(Part asked, const Field<std::uint8_t>& cast, int x, int y) {
-    if (asked != Part::kLit && asked != Part::kShadow) return false;
-    int dark = 0;
-    for (int sample = 0; sample < kRays * kRays; ++sample)
-        dark += cast(x * kRays + sample % kRays, y * kRays + sample / kRays);
-    const int wrong = asked == Part::kLit ? dark : kRays * kRays - dark;
-    return 2 * wrong > kRays * kRays;
-}
-
-// Casts what was solved, widens margins where that is wrong and solves on, while it
-// helps. What several suns cannot have together shows in cells that stay wrong: they give
-// way, and the rest is solved on.
-class Rounds {
-  public:
-    Rounds(const Terrain& base, std::vector<Demand>& demands, const Context& context)
-        : asked_(demands), demands_(demands), context_(context) {
-        terrain_.spacing = base.spacing;
-    }
-
-    Field<float> best_of(Bend& bend) {
-        tightened(bend);
-        for (int i = 0; i < kGivingRounds && demands_.size() > 1 && give_way(); ++i) {
-            bend.demand(demands_);
-            bend.run(kFineIterations);
-            tightened(bend);
-        }
-        return std::move(best_);
-    }
-
-    // Whether what was asked of a cell is asked no more, and not there.
-    bool gave_way(std::size_t image, int x, int y) const {
-        return demands_[image].parts(x, y) == Part::kFree &&
-               mostly_wrong(asked_[image].parts(x, y), best_casts_[image], x, y);
-    }
-
-  private:
-    void tightened(Bend& bend) {
-        for (int round = 0;; ++round) {
-            const std::size_t before = wrong_;
-            cast(bend.heights());
-            const bool helped =
-                round == 0 || double(wrong_) < kWorthwhile * double(before);
-            if (round == kRounds || !helped) return;
-            for (std::size_t i = 0; i < demands_.size(); ++i)
-                tighten(demands_[i], casts_[i]);
-            bend.demand(demands_);
-            bend.run(kRoundIterations);
-        }
-    }
-
-    void cast(Field<float> heights) {
-        terrain_.heights = std::move(heights);
-        casts_.clear();
-        wrong_ = 0;
-        for (const Demand& demand : asked_) {
-            casts_.push_back(context_.cast(terrain_, demand.sun, kRays));
-            wrong_ += wrong_in(demand, casts_.back()).all();
-        }
-        if (best_.empty() || wrong_ < least_) {
-            least_ = wrong_;
-            best_ = terrain_.heights;
-            best_casts_ = casts_;
-        }
-    }
-
-    bool give_way() {
-        bool any = false;
-        for (std::size_t i = 0; i < demands_.size(); ++i)
-            for (int y = 0; y < demands_[i].parts.height(); ++y)
-                for (int x = 0; x < demands_[i].parts.width(); ++x) {
-                    Part& part = demands_[i].parts(x, y);
-                    if (!mostly_wrong(part, casts_[i], x, y)) continue;
-                    part = Part::kFree;
-                    any = true;
-                }
-        return any;
-    }
-
-    Terrain terrain_;
-    const std::vector<Demand> asked_;
-    std::vector<Demand>& demands_;
-    const Context& context_;
-    std::vector<Field<std::uint8_t>> casts_;
-    std::size_t wrong_ = 0, least_ = 0;  // samples
-    Field<float> best_;
-    std::vector<Field<std::uint8_t>> best_casts_;
-};
 
 void note_given_up(const Rounds& rounds, std::vector<ShadowImage>& images) {
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -277,7 +183,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
         context.progress->report(0.7 * (levels - level) / levels);
         bent = bend.heights();
         if (level > 0) continue;
-        Rounds rounds(base, demands, context);
+        Rounds rounds(base.spacing, demands, context);
         bent = rounds.best_of(bend);
         note_given_up(rounds, images);
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <queue>
 #include <tuple>
@@ -33,8 +32,7 @@ class Asked {
         for (int row = 0; row < rows.rows(); ++row) {
             int last_lit = -1;
             for (int i = rows.span(row).first; i < rows.span(row).past; ++i) {
-                const auto p = rows.position(i, row);
-                const int x = cell(p.x), y = cell(p.y);
+                const auto [x, y] = cell_of(rows.position(i, row));
                 if (!reach_.contains(x, y)) continue;
                 if (!shadow(x, y))
                     last_lit = i;
@@ -55,8 +53,6 @@ class Asked {
     float reach(int x, int y) const { return reach_(x, y); }  // columns to the caster
     double dx() const { return dx_; }                         // of the light, a column
     double dy() const { return dy_; }
-
-    static int cell(double v) { return static_cast<int>(std::floor(v + 0.5)); }
 
   private:
     bool gave_way(int x, int y) const {
@@ -79,12 +75,12 @@ void find(const Asked& first, const Asked& second, Label of_first, Label of_seco
             if (!first.lit(x, y) || !second.shadow(x, y) || second.reach(x, y) <= 0.0f)
                 continue;
             const double back = second.reach(x, y);
-            const int bx = Asked::cell(x - back * second.dx());
-            const int by = Asked::cell(y - back * second.dy());
+            const auto [bx, by] =
+                cell_of({x - back * second.dx(), y - back * second.dy()});
             if (!first.shadow(bx, by) || first.reach(bx, by) <= 0.0f) continue;
             const double aside = first.reach(bx, by);
-            const int cx = Asked::cell(x - aside * first.dx());
-            const int cy = Asked::cell(y - aside * first.dy());
+            const auto [cx, cy] =
+                cell_of({x - aside * first.dx(), y - aside * first.dy()});
             if (!second.lit(cx, cy)) continue;
             found.push_back({label(of_first, x, y), label(of_second, x, y),
                              label(of_first, bx, by), label(of_second, cx, cy)});

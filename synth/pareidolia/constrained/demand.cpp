@@ -23,7 +23,7 @@ class Row {
 
     // The demand's own cell that a sample lies in.
     std::size_t cell(int sample) const {
-        const LightRows::Point p = rows_.position(rows_.column(sample), row_);
+        const GridPoint p = rows_.position(rows_.column(sample), row_);
         const auto at = [&](double v, int size) {
             return std::clamp(static_cast<int>(std::floor((v + 0.5) * cells_)), 0,
                               size - 1);

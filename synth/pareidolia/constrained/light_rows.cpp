@@ -96,13 +96,13 @@ std::vector<LightRows::Stop> LightRows::crossings(int column) const {
     return result;
 }
 
-LightRows::Point LightRows::position(double column, int row) const {
+GridPoint LightRows::position(double column, int row) const {
     double i = column, j = origin_ + slope_ * column + row;
     if (backwards_) {
         i = columns_ - 1 - i;
         j = lines_ - 1 - j;
     }
-    return along_y_ ? Point{j, i} : Point{i, j};
+    return along_y_ ? GridPoint{j, i} : GridPoint{i, j};
 }
 
 // By half a turn where light runs against the axis: the squares' diagonals stay.

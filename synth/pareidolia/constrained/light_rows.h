@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "field/field.h"
+#include "synth/pareidolia/light_frame.h"
 
 namespace cydonia::pareidolia {
 
@@ -39,11 +40,7 @@ class LightRows {
     }
     // False for samples that repeat the one before, where fewer edges are crossed.
     bool counts(int sample) const { return stop(sample).counts; }
-    // In cells: (x, y) is the centre of cell (x, y).
-    struct Point {
-        double x, y;
-    };
-    Point position(double column, int row) const;
+    GridPoint position(double column, int row) const;
 
     // A h: the heights at every sample, samples() x rows(); 0 beyond a row's ends, and
     // where none counts.

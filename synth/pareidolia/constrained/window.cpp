@@ -1,7 +1,8 @@
 #include "synth/pareidolia/constrained/window.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
+
+#include "field/cells_inside.h"
 
 namespace cydonia::pareidolia {
 namespace {
@@ -11,17 +12,6 @@ namespace {
 constexpr double kReach = 0.08, kGap = 0.16;
 
 }  // namespace
-
-Field<float> cells_inside(const Field<std::uint8_t>& mask, bool value) {
-    cv::Mat inside(mask.height(), mask.width(), CV_8U);
-    std::transform(mask.begin(), mask.end(), inside.begin<std::uint8_t>(),
-                   [&](std::uint8_t m) { return (m != 0) == value ? 1 : 0; });
-    cv::Mat distance;
-    cv::distanceTransform(inside, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    Field<float> result(mask.width(), mask.height());
-    std::copy(distance.begin<float>(), distance.end<float>(), result.begin());
-    return result;
-}
 
 Field<std::uint8_t> window_of(const Field<std::uint8_t>& target,
                               const Field<float>& noise) {

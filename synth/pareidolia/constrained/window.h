@@ -7,9 +7,6 @@
 
 namespace cydonia::pareidolia {
 
-// Cells from every cell that has `value` to the nearest one that has not, 0 at those.
-Field<float> cells_inside(const Field<std::uint8_t>& mask, bool value);
-
 // Where an image counts: around it, its gaps closed, with a border that wanders by
 // `noise` (0 to 1, same shape) so that no eye finds it.
 Field<std::uint8_t> window_of(const Field<std::uint8_t>& target,
