@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "field/field.h"
+#include "field/image.h"
 #include "field/sun.h"
 
 namespace cydonia {
@@ -39,6 +40,10 @@ struct Terrain {
     // Height of the water's surface, metres, kDry where there is none; empty without any.
     // Where there is, `heights` is the bed.
     Field<float> water;
+    // What stages measured of their own work, by what it is and its unit, for the
+    // manifest; and pictures of it (any size), written beside the masks.
+    std::map<std::string, double> figures = {};
+    std::map<std::string, Field<Rgb8>> pictures = {};
 
     double width() const { return spacing * heights.width(); }   // west to east, metres
     double depth() const { return spacing * heights.height(); }  // south to north, metres

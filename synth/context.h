@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -35,6 +36,8 @@ struct Context {
     Progress* progress = nullptr;      // never null when a stage runs
     const Explain* explain = nullptr;  // null unless asked for
     const Memory* memory = nullptr;    // null where nothing is kept
+    // Where files that other runs can use are kept; empty: nowhere.
+    std::filesystem::path cache = {};
 };
 
 }  // namespace cydonia

@@ -7,11 +7,13 @@
 #include "synth/dem/dem.h"
 #include "synth/distance/distance.h"
 #include "synth/pareidolia/pareidolia.h"
+#include "synth/texture/texture.h"
 
 namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
-using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options>;
+using StageOptions =
+    std::variant<distance::Options, pareidolia::Options, dem::Options, texture::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {
@@ -31,6 +33,9 @@ inline Method method_of(const StageOptions& options) {
         }
         Method operator()(const pareidolia::Options&) const {
             return {"pareidolia", pareidolia::kVersion};
+        }
+        Method operator()(const texture::Options&) const {
+            return {"texture", texture::kVersion};
         }
     };
     return std::visit(Visitor{}, options);

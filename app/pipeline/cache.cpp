@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr std::string_view kMagic = "cydonia terrain 3\n";
+constexpr std::string_view kMagic = "cydonia terrain 4\n";
 constexpr std::string_view kExtension = ".terrain";
 constexpr std::uint32_t kMaxSide = 1u << 16;
 constexpr std::uint32_t kMaxItems = 4096;
@@ -114,6 +114,16 @@ std::string packed(const Terrain& terrain) {
         out.field(image.given_up);
     }
     out.field(terrain.water);
+    out.value(static_cast<std::uint32_t>(terrain.figures.size()));
+    for (const auto& [name, value] : terrain.figures) {
+        out.text(name);
+        out.value(value);
+    }
+    out.value(static_cast<std::uint32_t>(terrain.pictures.size()));
+    for (const auto& [name, picture] : terrain.pictures) {
+        out.text(name);
+        out.field(picture);
+    }
     return out.all();
 }
 
@@ -137,6 +147,14 @@ Terrain unpacked(std::string_view bytes) {
         terrain.shadows.push_back(std::move(image));
     }
     terrain.water = in.field<float>();
+    for (std::uint32_t left = in.at_most(kMaxItems); left > 0; --left) {
+        std::string name = in.text();
+        terrain.figures.emplace(std::move(name), in.value<double>());
+    }
+    for (std::uint32_t left = in.at_most(kMaxItems); left > 0; --left) {
+        std::string name = in.text();
+        terrain.pictures.emplace(std::move(name), in.field<Rgb8>());
+    }
     return terrain;
 }
 

@@ -97,7 +97,8 @@ Terrain Land::made(int stage, const Explain* explain) {
                            .cast = cast,
                            .progress = &progress_,
                            .explain = explain,
-                           .memory = &memory});
+                           .memory = &memory,
+                           .cache = cache_});
     store_terrain(cached(stage), terrain);
     prune_terrains(cache_, kCacheBytes);
     return terrain;

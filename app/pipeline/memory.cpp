@@ -95,6 +95,7 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::min(kMost, samples_of_dem(o.source).value_or(o.source.size)) +
                    16 * cells;
         }
+        std::uint64_t operator()(const texture::Options&) const { return 100 * cells; }
         // Reading an image comes before solving for all of them.
         std::uint64_t operator()(const pareidolia::Options& o) const {
             // Rows of light follow the mesh with up to four samples a cell.

@@ -39,7 +39,8 @@ Json measured(const Terrain& terrain) {
             {"spacing", terrain.spacing},
             {"extent", {terrain.width(), terrain.depth()}},
             {"lowest", *low},
-            {"highest", *high}};
+            {"highest", *high},
+            {"figures", terrain.figures}};
 }
 
 Made export_terrain(Job& job) {
@@ -52,10 +53,14 @@ Made export_terrain(Job& job) {
     write_geotiff(job.folder / "terrain.tif", terrain);
     write_png(job.folder / "preview.png", render::hillshade(terrain));
     const auto masks = masks_of(terrain);
-    if (!masks.empty()) make_folder(job.folder / "masks");
+    if (!masks.empty() || !terrain.pictures.empty()) make_folder(job.folder / "masks");
     for (const auto& [name, mask] : masks) {
         made.outputs.push_back(fmt::format("masks/{}.png", name));
         write_png(job.folder / made.outputs.back(), mask_levels(mask));
+    }
+    for (const auto& [name, picture] : terrain.pictures) {
+        made.outputs.push_back(fmt::format("masks/{}.png", name));
+        write_png(job.folder / made.outputs.back(), picture);
     }
     return made;
 }

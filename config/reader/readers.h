@@ -19,6 +19,7 @@ void read(Table& t, NoiseOptions& noise);     // common.cpp
 void read(Table& t, dem::Options& o);         // dem.cpp
 void read(Table& t, distance::Options& o);    // distance.cpp
 void read(Table& t, pareidolia::Options& o);  // pareidolia.cpp
+void read(Table& t, texture::Options& o);     // texture.cpp
 
 struct TerrainTable {
     TerrainSpec& terrain;

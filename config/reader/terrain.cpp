@@ -18,6 +18,7 @@ constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
     {"dem", stage_of<dem::Options>},
     {"distance", stage_of<distance::Options>},
     {"pareidolia", stage_of<pareidolia::Options>},
+    {"texture", stage_of<texture::Options>},
 };
 
 constexpr std::size_t kMostStages = 64;

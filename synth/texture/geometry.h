@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "field/progress.h"
+#include "synth/texture/guidance.h"
+#include "synth/texture/options.h"
+
+namespace cydonia::texture {
+
+// Where the plane lies: metres, from the terrain's south-west corner.
+struct Ground {
+    double width = 0.0, depth = 0.0;  // of the terrain, metres
+    double spacing = 1.0;             // of level 0, metres
+};
+
+// Height of the unconstrained land, metres, at metres from the south-west corner.
+using HeightAt = std::function<double(double x, double y)>;
+
+// Points and curves, ready to be asked (section 5.1).
+class Geometry {
+  public:
+    // `natural` is asked for relative heights only. Warns of what contradicts itself, and
+    // which won. Throws bad_request.
+    Geometry(const Options& options, const Ground& ground, const HeightAt& natural,
+             Progress& progress);
+    ~Geometry();
+
+    bool empty() const;
+    // Row-major as in the window. Depends on each cell's place only.
+    Field<Pull> pulls(const Window& window) const;
+
+    // Where the land must have a height: along every curve at most one cell of level 0
+    // apart, and at every point.
+    struct Site {
+        double x, y;     // metres from the south-west corner
+        double height;   // metres
+        int constraint;  // index in names()
+    };
+    const std::vector<Site>& sites() const;
+    const std::vector<std::string>& names() const;  // points first
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace cydonia::texture

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "field/length.h"
+#include "field/source.h"
+
+namespace cydonia::texture {
+
+// A real elevation model that land is made of.
+struct Exemplar {
+    Source source;
+    // Painted types: a picture in the types' colours, stretched over the model.
+    std::optional<Source> types;
+    std::string type;  // of the whole model instead; empty: none
+};
+
+// T, section 5.2: a kind of land, by the colour that stands for it in pictures.
+struct Type {
+    std::string name;
+    std::array<std::uint8_t, 3> colour{};
+};
+
+// Where something is on the terrain, from its south-west corner: metres, or shares of the
+// width (first) and of the depth (second).
+using Place2 = std::array<Length, 2>;
+
+// Section 5.1. Heights in metres; relative ones are added to what the land would be there
+// without constraints.
+struct Point {
+    std::string name;
+    Place2 at;
+    double height = 0.0;
+    bool relative = false;
+    std::array<double, 2> gradient{0.0, 0.0};  // rise over run towards east and north
+    Length radius = of_width(0.05);            // of effect
+};
+
+// A widget on a curve (figure 2b): what is not given here is interpolated between the
+// others.
+struct Handle {
+    double at = 0.0;  // share of the curve's length
+    std::optional<double> height;
+    // Left and right of the way the curve runs: rise over run away from it, and radius.
+    std::optional<std::array<double, 2>> gradient;
+    std::optional<std::array<Length, 2>> area;
+};
+
+struct Curve {
+    std::string name;
+    std::vector<Place2> points;  // passed through smoothly; one of points and drawing
+    // Every path of a drawing whose page lies over the terrain, or the one with `id`.
+    std::optional<Source> drawing;
+    std::string id;
+    double height = 0.0;  // where no handle says otherwise
+    bool relative = false;
+    std::array<double, 2> gradient{0.0, 0.0};
+    std::array<Length, 2> area{of_width(0.05), of_width(0.05)};
+    std::vector<Handle> handles;
+};
+
+// Section 5.3: a region taken from an exemplar or from this terrain as it is without
+// pastes, and locked where it is put.
+struct Paste {
+    std::string name;
+    int exemplar = 0;  // its number in the list, from 1; 0: from this terrain
+    std::array<double, 2> from{0.5, 0.5};  // centre, as shares of where it is taken from
+    Place2 to{of_width(0.5), of_width(0.5)};  // where that centre comes to lie
+    // The region around `from`: a disc, or a polygon (metres east and north of it). With
+    // neither the whole exemplar.
+    Length radius;
+    std::vector<std::array<double, 2>> outline;
+    double raise = 0.0;   // metres added to its heights
+    int turn = 0;         // quarter turns clockwise, of an exemplar's region
+    bool mirror = false;  // east for west before it is turned
+};
+
+// Parallel synthesis from real land: Gain, Merry and Marais, "Parallel, Realistic and
+// Controllable Terrain Synthesis", 2015.
+struct Options {
+    std::vector<Exemplar> exemplars;
+
+    // Metres from a cell of the synthesis to the next; 0: as in the first exemplar.
+    // Exemplars of other spacing are resampled.
+    double spacing = 0.0;
+    double scale = 1.0;           // exemplars are stretched sideways by this
+    double vertical_scale = 1.0;  // and their heights
+    int levels = 6;               // L
+    int orientations = 1;         // 1, 2, 4 or 8: turned and mirrored matches
+    double jitter = 0.4;          // r of eq. 1
+    double kappa = 2.0;           // of eq. 7, for j = 2
+
+    std::vector<Type> types;
+    bool automatic_types = false;  // exemplars sorted into `types`, from calm to rugged
+    std::optional<Source> paint;   // types painted on the terrain
+
+    std::vector<Point> points;
+    std::vector<Curve> curves;
+    double stiffness = 0.5;  // s of eq. 8, metres of height over metres of distance
+    double pull = 0.5;       // lambda of eq. 8
+
+    std::vector<Paste> pastes;
+    bool coherent = false;         // keep to the last run's result where nothing changed
+    std::optional<Source> frozen;  // white: exactly the last run's result
+
+    bool breach = false;  // channels that end nowhere are cut through
+};
+
+}  // namespace cydonia::texture
