@@ -5,7 +5,7 @@
 
 #include "field/dem.h"
 #include "field/error.h"
-#include "synth/dem/window.h"
+#include "field/sampled.h"
 
 namespace cydonia::dem {
 namespace {
@@ -15,8 +15,8 @@ std::string size_text(double width, double depth) {
     return fmt::format("{:.6g} x {:.6g} m", width, depth);
 }
 
-Window window_at(const std::array<double, 2>& position, const Terrain& model,
-                 const Terrain& terrain, double cell) {
+SampleGrid window_at(const std::array<double, 2>& position, const Terrain& model,
+                     const Terrain& terrain, double cell) {
     return {position[0] * model.heights.width() - 0.5 * cell * terrain.heights.width(),
             (1.0 - position[1]) * model.heights.height() -
                 0.5 * cell * terrain.heights.height(),
@@ -24,9 +24,9 @@ Window window_at(const std::array<double, 2>& position, const Terrain& model,
 }
 
 // Metre for metre around the position.
-Window true_to_scale(const Options& options, const Terrain& model,
-                     const Terrain& terrain) {
-    const Window window =
+SampleGrid true_to_scale(const Options& options, const Terrain& model,
+                         const Terrain& terrain) {
+    const SampleGrid window =
         window_at(options.position, model, terrain, terrain.spacing / model.spacing);
     const double east = window.west + window.cell * terrain.heights.width();
     const double south = window.north + window.cell * terrain.heights.height();
@@ -56,11 +56,11 @@ Window true_to_scale(const Options& options, const Terrain& model,
 }
 
 // The largest, moved as near to the position as the model allows.
-Window largest(const Options& options, const Terrain& model, const Terrain& terrain) {
+SampleGrid largest(const Options& options, const Terrain& model, const Terrain& terrain) {
     const double cell =
         std::min(double(model.heights.width()) / terrain.heights.width(),
                  double(model.heights.height()) / terrain.heights.height());
-    Window window = window_at(options.position, model, terrain, cell);
+    SampleGrid window = window_at(options.position, model, terrain, cell);
     const auto within = [](double begin, double length, int cells) {
         return std::clamp(begin, 0.0, std::max(0.0, cells - length));
     };
@@ -81,8 +81,8 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         context.progress->note(
             fmt::format("{}: {}", options.source.name(), what_was_done));
 
-    const Window window = options.fit ? largest(options, model, terrain)
-                                      : true_to_scale(options, model, terrain);
+    const SampleGrid window = options.fit ? largest(options, model, terrain)
+                                          : true_to_scale(options, model, terrain);
     if (options.fit)
         context.progress->note(
             fmt::format("{}: {} of the model stand for {}", options.source.name(),

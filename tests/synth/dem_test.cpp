@@ -8,7 +8,6 @@
 
 #include "field/dem.h"
 #include "field/error.h"
-#include "synth/dem/window.h"
 
 namespace cydonia::dem {
 namespace {

@@ -1,4 +1,4 @@
-#include "synth/dem/window.h"
+#include "field/sampled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::dem {
+namespace cydonia {
 namespace {
 
 // Keys, "Cubic convolution interpolation for digital image processing", 1981, eq. 4.
@@ -63,19 +63,19 @@ Field<float> across(const Field<float>& field, int top, int bottom,
 
 }  // namespace
 
-Field<float> sampled(const Field<float>& model, const Window& window, int width,
+Field<float> sampled(const Field<float>& from, const SampleGrid& grid, int width,
                      int height) {
     // Only the rows that some sample weighs.
-    const double reach = 2.0 * std::max(1.0, window.cell) + 1.0;
-    const int top = std::clamp(static_cast<int>(std::floor(window.north - reach)), 0,
-                               model.height() - 1);
-    const int bottom = std::clamp(
-        static_cast<int>(std::ceil(window.north + height * window.cell + reach)), top + 1,
-        model.height());
+    const double reach = 2.0 * std::max(1.0, grid.cell) + 1.0;
+    const int top = std::clamp(static_cast<int>(std::floor(grid.north - reach)), 0,
+                               from.height() - 1);
+    const int bottom =
+        std::clamp(static_cast<int>(std::ceil(grid.north + height * grid.cell + reach)),
+                   top + 1, from.height());
     const Field<float> columns =
-        across(model, top, bottom, all_taps(window.west, window.cell, width));
+        across(from, top, bottom, all_taps(grid.west, grid.cell, width));
     return across(columns, 0, columns.height(),
-                  all_taps(window.north - top, window.cell, height));
+                  all_taps(grid.north - top, grid.cell, height));
 }
 
-}  // namespace cydonia::dem
+}  // namespace cydonia
