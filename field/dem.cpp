@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -21,8 +22,12 @@ bool is_exr(const Source& source) {
     return std::string_view(bytes, 4) == "\x76\x2f\x31\x01";
 }
 
+// Whoever asks where the voids are can do with many.
+double most_voids(const Field<std::uint8_t>* asked) { return asked ? 1.0 : kMostVoids; }
+
 // As the program writes terrain.exr.
-Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& notes) {
+Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& notes,
+                       Field<std::uint8_t>* voids) {
     const auto known = metadata.find("cydonia:spacing");
     Terrain terrain;
     terrain.spacing =
@@ -36,14 +41,32 @@ Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& no
         throw bad_request("{} x {} heights, fewer than 2 x 2", heights.width(),
                           heights.height());
     terrain.heights = std::move(heights);
-    fill_voids(terrain.heights, notes);
+    if (voids) *voids = voids_of(terrain.heights);
+    fill_voids(terrain.heights, most_voids(voids), notes);
     return terrain;
 }
 
-Terrain terrain_of_grid(const Source& source, Notes& notes) {
+// Where heights were interpolated, carried along onto square metres: 1 wherever a void
+// weighs in.
+Field<std::uint8_t> moved(DemGrid grid, const Field<std::uint8_t>& voids) {
+    if (voids.empty()) return {};
+    constexpr float kWeighsIn = 0.02f;
+    std::copy(voids.begin(), voids.end(), grid.heights.begin());
+    Notes ignored;
+    const Field<float> weights = on_square_metres(grid, ignored).heights;
+    Field<std::uint8_t> result(weights.width(), weights.height());
+    std::transform(weights.begin(), weights.end(), result.begin(),
+                   [](float weight) { return std::abs(weight) > kWeighsIn; });
+    return result;
+}
+
+Terrain terrain_of_grid(const Source& source, Notes& notes, Field<std::uint8_t>* voids) {
     DemGrid grid = dem_grid(source, notes);
-    fill_voids(grid.heights, notes);
-    return on_square_metres(grid, notes);
+    const Field<std::uint8_t> in_file = voids_of(grid.heights);
+    fill_voids(grid.heights, most_voids(voids), notes);
+    Terrain terrain = on_square_metres(grid, notes);
+    if (voids) *voids = moved(std::move(grid), in_file);
+    return terrain;
 }
 
 // Runs a step whose errors leave out which file they are about.
@@ -59,17 +82,18 @@ Terrain about(const Source& source, const Step& step) {
 
 }  // namespace
 
-Terrain read_dem(const Source& source, std::string* note) {
+Terrain read_dem(const Source& source, std::string* note, Field<std::uint8_t>* voids) {
     const QuietGdal quiet;
     Notes notes;
     Terrain terrain;
     if (is_exr(source)) {
         Metadata metadata;
         Field<float> heights = read_exr(source.path, &metadata);
-        terrain = about(
-            source, [&] { return terrain_of_exr(std::move(heights), metadata, notes); });
+        terrain = about(source, [&] {
+            return terrain_of_exr(std::move(heights), metadata, notes, voids);
+        });
     } else {
-        terrain = about(source, [&] { return terrain_of_grid(source, notes); });
+        terrain = about(source, [&] { return terrain_of_grid(source, notes, voids); });
     }
     if (note) *note = fmt::format("{}", fmt::join(notes, "; "));
     return terrain;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "field/field.h"
 #include "field/source.h"
 #include "field/terrain.h"
 
@@ -13,8 +14,10 @@ namespace cydonia {
 // An elevation model through GDAL (GeoTIFF, USGS DEM, SDTS, HGT, ...). Also our own
 // terrain.exr. Voids are filled by interpolation, non-square or geographic cells are
 // warped to square metres, or the file is refused with the reason; `note` receives what
-// was done.
-Terrain read_dem(const Source& source, std::string* note = nullptr);
+// was done. `voids` receives 1 where that was interpolated (the result's shape; empty
+// when nothing was) and allows for any share of it.
+Terrain read_dem(const Source& source, std::string* note = nullptr,
+                 Field<std::uint8_t>* voids = nullptr);
 
 // How many heights its header promises; none when that cannot be told beforehand.
 std::optional<std::uint64_t> samples_of_dem(const Source& source);

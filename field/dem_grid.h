@@ -32,10 +32,13 @@ DemGrid dem_grid(const Source& source, Notes& notes);
 // The header of such a file only.
 std::uint64_t samples_of_grid(const Source& source);
 
-// Interpolates the cells that are not finite. Throws when they are more than kMostVoids
-// of all.
+// 1 where a height is not finite; empty when all are.
+Field<std::uint8_t> voids_of(const Field<float>& heights);
+
+// Interpolates the cells that are not finite. Throws when they are more than the share
+// `most` of all.
 constexpr double kMostVoids = 0.2;
-void fill_voids(Field<float>& heights, Notes& notes);
+void fill_voids(Field<float>& heights, double most, Notes& notes);
 
 // Square metres on the ground: the file's own cells where they are that within 1%, else
 // about as many new ones (cubic), in a plane that touches the ground at the grid's

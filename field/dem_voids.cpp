@@ -32,16 +32,24 @@ std::size_t count_voids(const Field<float>& heights) {
 
 }  // namespace
 
-void fill_voids(Field<float>& heights, Notes& notes) {
+Field<std::uint8_t> voids_of(const Field<float>& heights) {
+    if (count_voids(heights) == 0) return {};
+    Field<std::uint8_t> voids(heights.width(), heights.height());
+    std::transform(heights.begin(), heights.end(), voids.begin(),
+                   [](float height) { return !std::isfinite(height); });
+    return voids;
+}
+
+void fill_voids(Field<float>& heights, double most, Notes& notes) {
     const std::size_t voids = count_voids(heights);
     if (voids == 0) return;
     const double share = double(voids) / double(heights.size());
-    if (share > kMostVoids)
+    if (share > most)
         throw bad_request(
             "{:.1f}% of its cells have no height; at most {:.0f}% are interpolated, cut "
             "out a "
             "part with fewer",
-            100.0 * share, 100.0 * kMostVoids);
+            100.0 * share, 100.0 * most);
 
     const Dataset filled = memory_dataset(heights.width(), heights.height(), GDT_Float32);
     const Dataset mask = mask_of(heights);

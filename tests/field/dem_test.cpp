@@ -116,6 +116,40 @@ TEST(ReadDem, FewVoidsAreInterpolated) {
     }
 }
 
+TEST(ReadDem, VoidsAreNamedWhenAskedFor) {
+    const TemporaryFolder folder;
+    const auto hole = [](int x, int y) { return x < 12 || (x == 15 && y == 10); };
+    const Raster raster = raster_of(
+        20, 30, [&](int x, int y) { return hole(x, y) ? kNan : slope_of(x, y); });
+    write_tiff(folder / "a.tif", raster);
+    Field<std::uint8_t> voids;
+    const Terrain terrain = read_dem(open_source(folder / "a.tif"), nullptr, &voids);
+    ASSERT_TRUE(voids.same_shape(terrain.heights));
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 20; ++x) EXPECT_EQ(voids(x, y), hole(x, y)) << x << ' ' << y;
+    write_tiff(folder / "b.tif", raster_of(20, 30, slope_of));
+    read_dem(open_source(folder / "b.tif"), nullptr, &voids);
+    EXPECT_TRUE(voids.empty());
+}
+
+TEST(ReadDem, VoidsMoveWithTheirLand) {
+    // Degrees far in the north: cells are warped to others of another shape.
+    Raster raster = raster_of(60, 60, slope_of);
+    raster.transform = {10.0, 0.002, 0, 60.0, 0, -0.001};
+    raster.plane = "EPSG:4326";
+    for (int y = 0; y < 60; ++y)
+        for (int x = 40; x < 60; ++x) raster.bands[0][std::size_t(60 * y + x)] = kNan;
+    const TemporaryFolder folder;
+    write_tiff(folder / "a.tif", raster);
+    Field<std::uint8_t> voids;
+    const Terrain terrain = read_dem(open_source(folder / "a.tif"), nullptr, &voids);
+    ASSERT_TRUE(voids.same_shape(terrain.heights));
+    const int width = voids.width(), middle = voids.height() / 2;
+    EXPECT_EQ(voids(width / 2, middle), 0);
+    EXPECT_EQ(voids(width * 3 / 4, middle), 1);
+    EXPECT_EQ(voids(width - 1, middle), 1);
+}
+
 TEST(ReadDem, ManyVoidsAreRefusedWithTheirShare) {
     expect_refused(raster_of(20, 10, [](int x, int) { return x < 5 ? kNan : 1.0f; }),
                    "25.0% of its cells have no height");
