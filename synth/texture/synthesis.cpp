@@ -1,12 +1,101 @@
 #include "synth/texture/synthesis.h"
 
-namespace cydonia::texture {
+#include <algorithm>
+#include <array>
+#include <cmath>
 
-Synthesis synthesised(const Database&, const Controls&, const Guidance&,
-                      const Window& window, Recording*, Progress&) {
-    return {window, {}, {}};
+#include "field/parallel.h"
+#include "field/random.h"
+#include "synth/texture/correction.h"
+#include "synth/texture/places.h"
+#include "synth/texture/start.h"
+
+namespace cydonia::texture {
+namespace {
+
+// Eq. 1 and 2. On the finest two levels places are snapped to the centres of cells, which
+// keeps the exemplar's finest detail (notes.md, trial 1).
+Synthesis upsampled(const Synthesis& coarse, const Database& database,
+                    const Controls& controls, const Window& window) {
+    const Level& level = database.levels[std::size_t(window.level)];
+    const int half = 1 << window.level;  // half cells of level 0 in half a cell
+    const bool snapped = is_snapped(window.level, controls);
+    const double reach = 2.0 * half * controls.jitter;
+    Synthesis fine{window, {window.width, window.height}, {window.width, window.height}};
+    parallel_for(window.height, 16, [&](int row) {
+        const int y = window.y + row;
+        for (int column = 0; column < window.width; ++column) {
+            const int x = window.x + column;
+            const int px = (x >> 1) - coarse.window.x, py = (y >> 1) - coarse.window.y;
+            const Place parent = coarse.places(px, py);
+            const Step s = turned(parent.orientation(),
+                                  {(x & 1) ? half : -half, (y & 1) ? half : -half});
+            double jx = 0.0, jy = 0.0;
+            if (!snapped) {
+                const std::uint64_t h = hash_of(
+                    {controls.seed, key("jitter"), std::uint64_t(window.level),
+                     std::uint64_t(std::int64_t{x}), std::uint64_t(std::int64_t{y})});
+                jx = reach * signed_unit(h);
+                jy = reach * signed_unit(mix(h));
+            }
+            Spot spot = spot_of(parent).moved(
+                {s.x + int(std::lround(jx)), s.y + int(std::lround(jy))});
+            spot =
+                kept_inside(spot, level.sheets[std::size_t(spot.exemplar)], window.level);
+            if (snapped)
+                spot = {spot.exemplar, spot.orientation,
+                        texture::snapped(spot.x, window.level),
+                        texture::snapped(spot.y, window.level)};
+            fine.places(column, row) = place_of(spot);
+            fine.offsets(column, row) = coarse.offsets(px, py);
+        }
+    });
+    return fine;
 }
 
-Field<float> heights_of(const Database&, const Synthesis&) { return {}; }
+Synthesis cut(const Synthesis& land, const Window& window) {
+    Synthesis part{window, {window.width, window.height}, {window.width, window.height}};
+    for (int y = 0; y < window.height; ++y) {
+        const int x0 = window.x - land.window.x, y0 = window.y - land.window.y;
+        std::copy_n(land.places.row(y0 + y).begin() + x0, window.width,
+                    part.places.row(y).begin());
+        std::copy_n(land.offsets.row(y0 + y).begin() + x0, window.width,
+                    part.offsets.row(y).begin());
+    }
+    return part;
+}
+
+}  // namespace
+
+Synthesis synthesised(const Database& database, const Controls& controls,
+                      const Guidance& guidance, const Window& window, Recording* record,
+                      Progress& progress) {
+    // What each level must know right, and what it works on for that.
+    const int top = static_cast<int>(database.levels.size()) - 1;
+    std::vector<Window> worked(std::size_t(top) + 1);
+    Window needed = window;
+    double cells = 0.0;
+    for (int level = controls.finest; level <= top; ++level) {
+        Window& w = worked[std::size_t(level)];
+        w = needed.grown(kCorrectionHalo);
+        needed = w.coarser();
+        cells += double(w.width) * w.height;
+    }
+
+    Synthesis land = started(database, controls, worked[std::size_t(top)]);
+    if (record) record->passes.assign(std::size_t(top) + 1, {});
+    double done = 0.0;
+    for (int level = top; level >= controls.finest; --level) {
+        const Window& w = worked[std::size_t(level)];
+        if (level < top) land = upsampled(land, database, controls, w);
+        for (int pass = 0; pass < kPasses; ++pass) {
+            correct(land, database, controls, guidance, pass);
+            if (record) record->passes[std::size_t(level)].push_back(land);
+            done += double(w.width) * w.height / (kPasses * cells);
+            progress.report(done);
+        }
+    }
+    return cut(land, window);
+}
 
 }  // namespace cydonia::texture

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "synth/texture/places.h"
+
+namespace cydonia::texture {
+
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+using Float4 = float __attribute__((vector_size(16)));
+using Short4 = std::int16_t __attribute__((vector_size(8)));
+
+// A^i at places of a level, as the terrain sees it through their orientation.
+class AppearanceReader {
+  public:
+    AppearanceReader(const Level& level, int index) : level_(level), index_(index) {
+        for (int o = 0; o < 8; ++o) {
+            // Along a step of the terrain the slope is that along the exemplar's step.
+            const Step e = kTurns.east[o], s = kTurns.south[o];
+            swapped_[o] = e.x == 0;
+            sign_[o] = Int4{1, e.x + e.y, s.x + s.y, level.last_sign[std::size_t(o)]};
+        }
+    }
+
+    template <bool kSnapped>
+    Int4 at(const Spot& spot) const {
+        const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
+        const Int4 a = kSnapped ? whole(sheet, spot) : between(sheet, spot);
+        return spot.orientation == 0 ? a : laid_down(a, spot.orientation);
+    }
+
+  private:
+    Int4 cell(std::size_t index) const {
+        Short4 a;
+        std::memcpy(&a, &level_.appearance[index], sizeof a);
+        return __builtin_convertvector(a, Int4);
+    }
+    Int4 whole(const Sheet& sheet, const Spot& spot) const {
+        return cell(sheet.index(spot.x >> (index_ + 1), spot.y >> (index_ + 1)));
+    }
+    // Bilinear, with weights of 64 parts each way.
+    Int4 between(const Sheet& sheet, const Spot& spot) const {
+        const int x = spot.x - (1 << index_), y = spot.y - (1 << index_);
+        const int bits = index_ + 1;
+        const int u = part(x, bits), v = part(y, bits);
+        const std::size_t i = sheet.index(x >> bits, y >> bits);
+        const std::size_t below = i + std::size_t(sheet.stride);
+        const Int4 upper = cell(i) * (64 - u) + cell(i + 1) * u;
+        const Int4 lower = cell(below) * (64 - u) + cell(below + 1) * u;
+        return (upper * (64 - v) + lower * v + 2048) >> 12;
+    }
+    static int part(int half_cells, int bits) {
+        const int within = half_cells & ((1 << bits) - 1);
+        return bits >= 6 ? within >> (bits - 6) : within << (6 - bits);
+    }
+    Int4 laid_down(Int4 a, int orientation) const {
+        if (swapped_[orientation]) a = __builtin_shuffle(a, Int4{0, 2, 1, 3});
+        return a * sign_[orientation];
+    }
+
+    const Level& level_;
+    int index_;
+    bool swapped_[8];
+    Int4 sign_[8];
+};
+
+}  // namespace cydonia::texture
