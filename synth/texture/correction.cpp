@@ -8,6 +8,7 @@
 #include "field/parallel.h"
 #include "field/random.h"
 #include "synth/texture/appearance_read.h"
+#include "synth/texture/height_read.h"
 #include "synth/texture/places.h"
 
 namespace cydonia::texture {
@@ -24,11 +25,29 @@ constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
 constexpr float kOffsetPrice = 0.2f;
 constexpr int kFinestPriced = 3;
 
+// until pull.h
+float blended(float, const Pull& asked, double, double) { return asked.target; }
+
+constexpr int kSeedsOfType = 9;
+constexpr int kMostCandidates = 19;
+
+// Guidance for one pass over a window.
+struct Steering {
+    Kept kept;
+    Field<TypeSet> types;
+    Field<Pull> pulls;
+    float unit = 1.0f;
+    double stiffness = 0.5, pull = 0.5;
+    std::uint64_t seed = 0;
+};
+
 template <bool kSnapped>
 class Pass {
   public:
-    Pass(Synthesis& land, const Database& database, const Controls& controls)
+    Pass(Synthesis& land, const Database& database, const Controls& controls,
+         const Steering& steering)
         : land_(land),
+          steering_(steering),
           level_(database.levels[std::size_t(land.window.level)]),
           read_(level_, land.window.level),
           cell_(2 << land.window.level),
@@ -39,25 +58,27 @@ class Pass {
 
     void cell(int x, int y) const {
         const std::size_t at = land_.places.index(x, y);
+        const float weight =
+            steering_.kept.weights.empty() ? 1.0f : steering_.kept.weights[at];
+        if (weight == 0.0f) return keep(at);
         if (kSnapped && settled(at)) return;
-        Best best;
-        const Around around = neighbourhood(at);
-        Tried tried;
-        for (int i = 0; i < 9; ++i) {
-            const Step d = kNeighbours[i];
+
+        const TypeSet types = steering_.types.empty() ? kAnyType : steering_.types[at];
+        Contest contest(neighbourhood(at), types, price_at(at));
+        for (const Step d : kNeighbours) {
             const Spot spot = spot_of(land_.places[at + offset(d)]);
-            const Step back = kTurns(spot.orientation, -d.x * cell_, -d.y * cell_);
-            consider(spot.moved(back), 1.0f, around, tried, best);
+            consider(seen_from(spot, d), 1.0f, contest);
         }
-        for (int i = 0; i < 9; ++i) {
-            const Step d = kNeighbours[i];
+        for (const Step d : kNeighbours) {
             const Spot spot = match_of(spot_of(land_.places[at + offset(d)]));
-            const Step back = kTurns(spot.orientation, -d.x * cell_, -d.y * cell_);
-            consider(spot.moved(back), kappa_, around, tried, best);
+            consider(seen_from(spot, d), kappa_, contest);
         }
-        if (best.score == std::numeric_limits<float>::max()) return;
-        land_.places[at] = place_of(best.spot);
-        land_.offsets[at] = best.offset;
+        if (weight < 1.0f) consider(spot_of(steering_.kept.places[at]), weight, contest);
+        if (contest.nothing() && types != kAnyType) seed(x, y, contest);
+        if (contest.nothing()) return;
+        land_.places[at] = place_of(contest.spot);
+        land_.offsets[at] = contest.offset;
+        if (!steering_.pulls.empty()) pull(at, contest.spot);
     }
 
   private:
@@ -65,14 +86,19 @@ class Pass {
     struct Around {
         Int4 corners[4];
     };
-    struct Tried {
+    // The candidates so far, and the best of them.
+    struct Contest {
+        Contest(const Around& a, TypeSet t, float p) : around(a), types(t), price(p) {}
+        Around around;
+        TypeSet types;
+        float price;
         int count = 0;
-        std::array<Place, 18> places;
-    };
-    struct Best {
+        std::array<Place, kMostCandidates> tried;
         float score = std::numeric_limits<float>::max();
         Spot spot;
         std::int32_t offset = 0;
+
+        bool nothing() const { return score == std::numeric_limits<float>::max(); }
     };
 
     std::ptrdiff_t offset(Step s) const { return std::ptrdiff_t(s.y) * width_ + s.x; }
@@ -133,33 +159,40 @@ class Pass {
                 m.x * cell_ + cell_ / 2 + within.x, m.y * cell_ + cell_ / 2 + within.y};
     }
 
-    bool land_may_come_from(const Spot& spot) const {
+    // A neighbour's land, continued to this cell.
+    Spot seen_from(const Spot& spot, Step d) const {
+        return spot.moved(kTurns(spot.orientation, -d.x * cell_, -d.y * cell_));
+    }
+
+    bool may_be_used(const Spot& spot, TypeSet types) const {
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
         const int i = spot.x >> (land_.window.level + 1);
         const int j = spot.y >> (land_.window.level + 1);
-        return unsigned(i) < unsigned(sheet.width) &&
-               unsigned(j) < unsigned(sheet.height) &&
-               level_.types[sheet.index(i, j)] != kNowhere;
+        if (unsigned(i) >= unsigned(sheet.width) || unsigned(j) >= unsigned(sheet.height))
+            return false;
+        const std::uint8_t type = level_.types[sheet.index(i, j)];
+        if (type == kNowhere) return false;
+        return types == kAnyType || (type < kMostTypes && (types >> type & 1u));
     }
 
-    void consider(const Spot& spot, float kappa, const Around& around, Tried& tried,
-                  Best& best) const {
-        if (!land_may_come_from(spot)) return;
+    void consider(const Spot& spot, float kappa, Contest& contest) const {
+        if (!may_be_used(spot, contest.types)) return;
         const Place place = place_of(spot);
-        for (int i = 0; i < tried.count; ++i)
-            if (tried.places[std::size_t(i)] == place) return;
-        tried.places[std::size_t(tried.count++)] = place;
-        score(spot, kappa, around, best);
+        for (int i = 0; i < contest.count; ++i)
+            if (contest.tried[std::size_t(i)] == place) return;
+        contest.tried[std::size_t(contest.count++)] = place;
+        score(spot, kappa, contest);
     }
 
     // Eq. 7 with h in closed form, in thirds of the database's unit.
-    void score(const Spot& spot, float kappa, const Around& around, Best& best) const {
+    void score(const Spot& spot, float kappa, Contest& contest) const {
         Float4 d[4];
         for (int i = 0; i < 4; ++i) {
             const Step s = kTurns(spot.orientation, kDiagonals[i].x * cell_,
                                   kDiagonals[i].y * cell_);
             d[i] = __builtin_convertvector(
-                around.corners[i] - 3 * read_.template at<kSnapped>(spot.moved(s)),
+                contest.around.corners[i] -
+                    3 * read_.template at<kSnapped>(spot.moved(s)),
                 Float4);
         }
         const float mean = ((d[0][0] + d[2][0]) + (d[1][0] + d[3][0])) * 0.25f;
@@ -167,15 +200,59 @@ class Pass {
         for (Float4& corner : d) corner -= level;
         const Float4 squares = (d[0] * d[0] + d[2] * d[2]) + (d[1] * d[1] + d[3] * d[3]);
         float sum = (squares[0] + squares[2]) + (squares[1] + squares[3]);
-        sum += 4.0f * price_ / (4.0f + price_) * mean * mean;
-        sum *= kappa;
-        if (sum >= best.score) return;
-        best = {sum, spot,
-                static_cast<std::int32_t>(
-                    std::lrintf(4.0f * mean / (4.0f + price_) * (1.0f / 3.0f)))};
+        const float price = contest.price;
+        sum = kappa * (sum + 4.0f * price / (4.0f + price) * mean * mean);
+        if (sum >= contest.score) return;
+        contest.score = sum;
+        contest.spot = spot;
+        contest.offset = static_cast<std::int32_t>(
+            std::lrintf(4.0f / (4.0f + price) * mean * (1.0f / 3.0f)));
+    }
+
+    // Land that constraints hold up pays nothing for its height.
+    float price_at(std::size_t at) const {
+        const bool held = !steering_.pulls.empty() && steering_.pulls[at].reach > 0.0f;
+        return held ? 0.0f : price_;
+    }
+
+    void keep(std::size_t at) const {
+        land_.places[at] = steering_.kept.places[at];
+        land_.offsets[at] = steering_.kept.offsets[at];
+    }
+
+    // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
+    void seed(int x, int y, Contest& contest) const {
+        for (int t = 0; t < kMostTypes; ++t) {
+            if (!(contest.types >> t & 1u)) continue;
+            const auto& seeds = level_.seeds[std::size_t(t)];
+            for (int i = 0; i < kSeedsOfType && !seeds.empty(); ++i) {
+                const std::uint64_t h =
+                    hash_of({steering_.seed, std::uint64_t(land_.window.level),
+                             std::uint64_t(std::int64_t{land_.window.x + x}),
+                             std::uint64_t(std::int64_t{land_.window.y + y}),
+                             std::uint64_t(t * kSeedsOfType + i)});
+                const std::uint64_t seed = seeds[h % seeds.size()];
+                constexpr std::uint64_t kLow = (1u << 24) - 1;
+                score({int(seed >> 48), 0, int(seed & kLow) * cell_ + cell_ / 2,
+                       int(seed >> 24 & kLow) * cell_ + cell_ / 2},
+                      1.0f, contest);
+            }
+        }
+    }
+
+    // Eq. 9: towards what points and curves ask for.
+    void pull(std::size_t at, const Spot& spot) const {
+        const Pull& asked = steering_.pulls[at];
+        if (!(asked.reach > 0.0f)) return;
+        const float height = height_at(level_, land_.window.level, spot) +
+                             steering_.unit * float(land_.offsets[at]);
+        const float wanted = blended(height, asked, steering_.stiffness, steering_.pull);
+        land_.offsets[at] +=
+            static_cast<std::int32_t>(std::lrintf((wanted - height) / steering_.unit));
     }
 
     Synthesis& land_;
+    const Steering& steering_;
     const Level& level_;
     const AppearanceReader read_;
     const int cell_, width_;
@@ -183,15 +260,15 @@ class Pass {
 };
 
 template <bool kSnapped>
-void correct_in_place(Synthesis& land, const Database& database,
-                      const Controls& controls) {
+void correct_in_place(Synthesis& land, const Database& database, const Controls& controls,
+                      const Steering& steering) {
     const Window& w = land.window;
-    const Pass<kSnapped> pass(land, database, controls);
+    const Pass<kSnapped> pass(land, database, controls, steering);
     // Cells of one parity look at none of their own, so that they change in place. Parity
     // is that of the plane.
     for (int sub = 0; sub < 4; ++sub) {
-        const int x0 = 2 + ((w.x + 2 + (sub & 1)) & 1);
-        const int y0 = 2 + ((w.y + 2 + (sub >> 1)) & 1);
+        const int x0 = 2 + ((w.x + (sub & 1)) & 1);
+        const int y0 = 2 + ((w.y + (sub >> 1)) & 1);
         const int rows = (w.height - 2 - y0 + 1) / 2;
         parallel_for(std::max(0, rows), 4, [&](int row) {
             for (int x = x0; x < w.width - 2; x += 2) pass.cell(x, y0 + 2 * row);
@@ -199,16 +276,30 @@ void correct_in_place(Synthesis& land, const Database& database,
     }
 }
 
+Steering steering_of(const Window& window, const Database& database,
+                     const Controls& controls, const Guidance& guidance, int pass) {
+    Steering steering;
+    steering.unit = static_cast<float>(database.unit);
+    steering.stiffness = controls.stiffness;
+    steering.pull = controls.pull;
+    steering.seed = hash_of({controls.seed, key("seeds"), std::uint64_t(pass)});
+    if (guidance.kept) steering.kept = guidance.kept(window, pass);
+    if (is_snapped(window.level, controls)) return steering;
+    if (guidance.types) steering.types = guidance.types(window);
+    if (guidance.pulls) steering.pulls = guidance.pulls(window);
+    return steering;
+}
+
 }  // namespace
 
 void correct(Synthesis& land, const Database& database, const Controls& controls,
              const Guidance& guidance, int pass) {
-    static_cast<void>(guidance);
-    static_cast<void>(pass);
+    const Steering steering =
+        steering_of(land.window, database, controls, guidance, pass);
     if (is_snapped(land.window.level, controls))
-        correct_in_place<true>(land, database, controls);
+        correct_in_place<true>(land, database, controls, steering);
     else
-        correct_in_place<false>(land, database, controls);
+        correct_in_place<false>(land, database, controls, steering);
 }
 
 }  // namespace cydonia::texture

@@ -83,14 +83,14 @@ Synthesis synthesised(const Database& database, const Controls& controls,
     }
 
     Synthesis land = started(database, controls, worked[std::size_t(top)]);
-    if (record) record->passes.assign(std::size_t(top) + 1, {});
+    if (record) record->assign(std::size_t(top) + 1, {});
     double done = 0.0;
     for (int level = top; level >= controls.finest; --level) {
         const Window& w = worked[std::size_t(level)];
         if (level < top) land = upsampled(land, database, controls, w);
         for (int pass = 0; pass < kPasses; ++pass) {
             correct(land, database, controls, guidance, pass);
-            if (record) record->passes[std::size_t(level)].push_back(land);
+            if (record) (*record)[std::size_t(level)].push_back(land);
             done += double(w.width) * w.height / (kPasses * cells);
             progress.report(done);
         }

@@ -31,19 +31,22 @@ struct Synthesis {
     Field<std::int32_t> offsets;  // V, in Database::unit
 };
 
-// A result to keep to, where one is (section 5.3): what each correction pass left behind.
-struct Recording {
-    std::vector<std::vector<Synthesis>> passes;  // [level][pass]
+// Land that is to stay (section 5.3), for a window and a pass: as one more candidate.
+struct Kept {
+    Field<float> weights;  // W: 0 exactly this land, 1 none of it; empty: none anywhere
+    Field<Place> places;
+    Field<std::int32_t> offsets;
 };
 
 // What steers a synthesis; each may be missing.
 struct Guidance {
     std::function<Field<Pull>(const Window&)> pulls;
     std::function<Field<TypeSet>(const Window&)> types;
-    // W of each cell of the window, 0 frozen to 1 free, and what is kept to.
-    std::function<Field<float>(const Window&)> weights;
-    const Recording* previous = nullptr;
+    std::function<Kept(const Window&, int pass)> kept;
 };
+
+// What each correction pass left behind, by level and pass.
+using Recording = std::vector<std::vector<Synthesis>>;
 
 struct Controls {
     std::uint64_t seed = 0;
