@@ -5,6 +5,7 @@
 #include "field/dem_grid.h"
 #include "field/error.h"
 #include "field/gdal.h"
+#include "field/packaged.h"
 
 namespace cydonia {
 namespace {
@@ -13,17 +14,18 @@ constexpr int kLargestSide = 16384;
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
 // Formats that carry heights in one file of their own. Not VRT and its like, which open
-// other files and addresses.
+// other files and addresses, but for those that ship with the program.
 constexpr const char* kDrivers[] = {
     "GTiff", "USGSDEM", "SDTS",     "SRTMHGT", "DTED", "AAIGrid", "GRASSASCIIGrid",
     "EHdr",  "ENVI",    "HFA",      "GSAG",    "GSBG", "GS7BG",   "SAGA",
     "PDS",   "PDS4",    "ISIS3",    "ISIS2",   "ACE2", "XYZ",     "JP2OpenJPEG",
     "PNG",   "JPEG",    "Terragen", nullptr};
+constexpr const char* kPackagedDrivers[] = {"VRT", nullptr};
 
 Dataset opened(const Source& source) {
     Dataset file(GDALDataset::Open(
         source.path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-        kDrivers));
+        is_packaged_dem(source.path) ? kPackagedDrivers : kDrivers));
     if (!file) throw bad_request("not an elevation model: {}", QuietGdal::message());
     const int width = file->GetRasterXSize(), height = file->GetRasterYSize();
     if (file->GetRasterCount() < 1) throw bad_request("it holds no raster");

@@ -127,8 +127,11 @@ requires(!Gives<Unit, std::array<T, N>>) bool read_value(Reading& reading,
 }
 
 template <class T, class Unit>
-bool read_value(Reading& reading, const Value& value, const std::string& path,
-                std::vector<T>& out, const Unit& unit) {
+requires(!Gives<Unit, std::vector<T>>) bool read_value(Reading& reading,
+                                                       const Value& value,
+                                                       const std::string& path,
+                                                       std::vector<T>& out,
+                                                       const Unit& unit) {
     constexpr std::size_t kMost = 4096;
     const auto* array = elements(reading, value, path, 0, kMost);
     bool good = array != nullptr;

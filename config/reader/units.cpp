@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "config/reader/matching.h"
 #include "field/error.h"
 #include "field/utf8.h"
 #include "field/vec.h"
@@ -96,9 +97,9 @@ const Source& Files::open(const std::string& name) {
 }
 
 std::variant<Source, Wrong> Files::opened(const std::string& name) const {
-    const std::filesystem::path path = folder_ / name;
+    const std::filesystem::path named = at_home(name), path = folder_ / named;
     std::error_code ignored;
-    if (path != name && !std::filesystem::exists(path, ignored))
+    if (path != named && !std::filesystem::exists(path, ignored))
         return Wrong{
             fmt::format("cannot open '{}' (looked in {})", name, folder_.string())};
     try {
@@ -106,6 +107,11 @@ std::variant<Source, Wrong> Files::opened(const std::string& name) const {
     } catch (const Error& error) {
         return Wrong{error.what()};
     }
+}
+
+std::vector<std::string> Files::matching(const std::string& pattern,
+                                         std::size_t most) const {
+    return config::matching(folder_, pattern, most);
 }
 
 double Number::read(const Value& value, Files&) const {

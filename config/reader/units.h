@@ -29,8 +29,10 @@ class Files {
   public:
     explicit Files(std::filesystem::path folder)
         : folder_(folder.empty() ? "." : std::move(folder)) {}
-    // Relative to the scene's folder. Throws Wrong.
+    // Relative to the scene's folder, or to the user's home as "~/a.tif". Throws Wrong.
     const Source& open(const std::string& name);
+    // Names of the files that a pattern such as "dems/*.tif" stands for, at most `most`.
+    std::vector<std::string> matching(const std::string& pattern, std::size_t most) const;
 
   private:
     std::variant<Source, Wrong> opened(const std::string& name) const;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/reader/table.h"
+#include "synth/texture/options.h"
+
+namespace cydonia::config {
+
+// What the parts of a texture stage may refer to, as far as it was read.
+struct TextureNames {
+    std::vector<std::string> types;
+    std::vector<std::string> exemplars;    // without their files' extension
+    std::vector<std::string> constraints;  // points and curves
+    std::vector<std::string> pastes;
+};
+
+inline constexpr std::size_t kMostExemplars = 255;  // texture::Match has a byte for them
+
+// An elevation model: a file, or "package:NAME" for one that a Debian package brings.
+struct ElevationModel {
+    static constexpr bool kVaries = false;
+    Source read(const Value& value, Files& files) const;
+    std::string text(const Source& source) const { return File{}.text(source); }
+};
+
+// One or, as "dems/*.tif", several of them.
+struct ElevationModels {
+    static constexpr bool kVaries = false;
+    std::vector<Source> read(const Value& value, Files& files) const;
+    std::string text(const Source& source) const { return File{}.text(source); }
+};
+
+void read(Table& t, texture::Point& point, TextureNames& names);  // texture_shapes.cpp
+void read(Table& t, texture::Curve& curve, TextureNames& names);  // texture_shapes.cpp
+void read(Table& t, texture::Paste& paste, TextureNames& names);  // texture_pastes.cpp
+
+// `name`, "point 3" unless the file gives one; no two the same.
+void read_name(Table& t, std::string& name, std::string_view kind, std::size_t number,
+               std::vector<std::string>& taken);  // texture.cpp
+
+}  // namespace cydonia::config
