@@ -23,21 +23,29 @@ struct Taps {
     std::vector<double> weights;
 };
 
-Taps taps_at(double begin, double cell, int sample) {
-    const double stretch = std::max(1.0, cell);
-    const double at = begin + (sample + 0.5) * cell - 0.5;  // in centres
+// Samples along one axis of a grid.
+struct Axis {
+    double begin, cell;
+    int first;  // sample
+    int from;   // the cell of the grid that is the first there is
+};
+
+Taps taps_at(const Axis& axis, int sample) {
+    const double stretch = std::max(1.0, axis.cell);
+    const double at = axis.begin + (sample + 0.5) * axis.cell - 0.5;  // in centres
     Taps taps;
     taps.first = static_cast<int>(std::ceil(at - 2.0 * stretch));
     double sum = 0.0;
     for (int i = taps.first; i <= at + 2.0 * stretch; ++i)
         sum += taps.weights.emplace_back(keys((i - at) / stretch));
     for (double& weight : taps.weights) weight /= sum;
+    taps.first -= axis.from;
     return taps;
 }
 
-std::vector<Taps> all_taps(double begin, double cell, int samples) {
+std::vector<Taps> all_taps(const Axis& axis, int samples) {
     std::vector<Taps> taps;
-    for (int i = 0; i < samples; ++i) taps.push_back(taps_at(begin, cell, i));
+    for (int i = 0; i < samples; ++i) taps.push_back(taps_at(axis, axis.first + i));
     return taps;
 }
 
@@ -67,15 +75,16 @@ Field<float> sampled(const Field<float>& from, const SampleGrid& grid, int width
                      int height) {
     // Only the rows that some sample weighs.
     const double reach = 2.0 * std::max(1.0, grid.cell) + 1.0;
-    const int top = std::clamp(static_cast<int>(std::floor(grid.north - reach)), 0,
-                               from.height() - 1);
+    const double north = grid.north + grid.row * grid.cell - grid.from_row;
+    const int top =
+        std::clamp(static_cast<int>(std::floor(north - reach)), 0, from.height() - 1);
     const int bottom =
-        std::clamp(static_cast<int>(std::ceil(grid.north + height * grid.cell + reach)),
+        std::clamp(static_cast<int>(std::ceil(north + height * grid.cell + reach)),
                    top + 1, from.height());
-    const Field<float> columns =
-        across(from, top, bottom, all_taps(grid.west, grid.cell, width));
-    return across(columns, 0, columns.height(),
-                  all_taps(grid.north - top, grid.cell, height));
+    const Axis east{grid.west, grid.cell, grid.column, grid.from_column};
+    const Axis south{grid.north, grid.cell, grid.row, grid.from_row + top};
+    const Field<float> columns = across(from, top, bottom, all_taps(east, width));
+    return across(columns, 0, columns.height(), all_taps(south, height));
 }
 
 }  // namespace cydonia

@@ -9,6 +9,10 @@ namespace cydonia {
 struct SampleGrid {
     double west = 0.0, north = 0.0;  // of the samples' own corner
     double cell = 1.0;               // side of a sample
+    // A part of a larger whole, equal to the whole's to the last bit: which of the
+    // samples is the first, and which cell of the grid is `from`'s first.
+    int column = 0, row = 0;
+    int from_column = 0, from_row = 0;
 };
 
 // width x height samples of a grid: cubic between its cells (Keys 1981, a = -1/2) and,

@@ -11,6 +11,6 @@ namespace cydonia::dem {
 // Throws bad_request, with both sizes, when the window leaves the model.
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
-inline constexpr int kVersion = 1;  // raised when the same options give other heights
+inline constexpr int kVersion = 2;  // raised when the same options give other heights
 
 }  // namespace cydonia::dem

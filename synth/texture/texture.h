@@ -6,11 +6,25 @@
 
 namespace cydonia::texture {
 
-// Land made of real land, in place of the land so far (Gain, Merry and Marais 2015). A
-// cell depends on a bounded part of the plane around it: any window of it can be made
-// alone. Throws bad_request.
+// Land made of real land, in place of the land so far (Gain, Merry and Marais 2015).
+// Throws bad_request.
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
 inline constexpr int kVersion = 1;  // raised when the same options give other heights
+
+// The samples of a terrain.
+struct Extent {
+    int columns = 0, rows = 0;
+    double spacing = 1.0;  // metres
+
+    double width() const { return spacing * columns; }
+    double depth() const { return spacing * rows; }
+};
+
+// width x height of the heights that run() gives, from column x and row y on, to the last
+// bit: a cell depends on a bounded part of the plane. Not of land that is breached or
+// coherent.
+Field<float> tile(const Options& options, const Extent& extent, const Context& context,
+                  int x, int y, int width, int height);
 
 }  // namespace cydonia::texture

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+
+#include "synth/context.h"
+#include "synth/texture/database.h"
+#include "synth/texture/geometry.h"
+#include "synth/texture/options.h"
+#include "synth/texture/synthesis.h"
+#include "synth/texture/texture.h"
+#include "synth/texture/types.h"
+
+namespace cydonia::texture {
+
+// All that a terrain is made from, ready to make any part of it.
+class Maker {
+  public:
+    Maker(const Options& options, const Extent& extent, const Context& context);
+
+    // The synthesis under a rectangle of samples and what their heights need around it.
+    Synthesis synthesis(int x, int y, int width, int height, const Guidance& guidance,
+                        Recording* record) const;
+    // Of those samples, metres: the synthesis' own cells, or cubic between them.
+    Field<float> heights(const Synthesis& synthesis, int x, int y, int width,
+                         int height) const;
+
+    const Database& database() const { return *database_; }
+    const Geometry& geometry() const { return *geometry_; }
+    const Ground& ground() const { return ground_; }
+    const Controls& controls() const { return controls_; }
+    // What points, curves, types and pastes ask for.
+    const Guidance& guidance() const { return guidance_; }
+
+  private:
+    Window window_of(int x, int y, int width, int height) const;
+    double natural_height(double x, double y) const;
+
+    Extent extent_;
+    Progress& progress_;
+    std::shared_ptr<const Database> database_;
+    Ground ground_;
+    Controls controls_;
+    double ratio_ = 1.0;  // samples to cells of the finest level
+    std::unique_ptr<TypeMap> types_;
+    std::unique_ptr<Geometry> geometry_;
+    Guidance guidance_;
+};
+
+}  // namespace cydonia::texture
