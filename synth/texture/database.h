@@ -15,10 +15,11 @@
 namespace cydonia::texture {
 
 // A cell in appearance space (section 4; Lefebvre and Hoppe 2006): the weighted mean
-// height of its 5x5 neighbourhood, then three modes of what is left without that mean,
-// all in the database's units. The first two are odd in x and in y and each other's
-// transpose; the last is even or odd in each. So the modes of a turned or mirrored
-// neighbourhood are the same numbers with other places and signs.
+// height of its 5x5 neighbourhood, above the middle of all exemplars' heights, then three
+// modes of what is left without that mean, all in the database's units. The first two are
+// odd in x and in y and each other's transpose; the last is even or odd in each. So the
+// modes of a turned or mirrored neighbourhood are the same numbers with other places and
+// signs.
 using Appearance = std::array<std::int16_t, 4>;
 
 // C_2, eq. 3: where an exemplar of the same level looks most alike, and how it must be
@@ -72,7 +73,7 @@ class Database {
     double unit = 1.0;                    // metres, of heights in appearance space
     float lowest = 0.0f, highest = 0.0f;  // of all exemplars, metres
     std::vector<std::string> names;       // of the exemplars
-    std::vector<Level> levels;  // E^0 first; as many as leave every exemplar some land
+    std::vector<Level> levels;  // E^0 first; as many as leave some exemplar land
 
     std::uint64_t cells() const;  // of the exemplars at level 0
 };

@@ -1,0 +1,138 @@
+#include "synth/texture/exemplars.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/dem.h"
+#include "field/error.h"
+#include "field/sampled.h"
+#include "synth/texture/types.h"
+
+namespace cydonia::texture {
+namespace {
+
+constexpr int kLongestSide = 16384;
+constexpr std::uint64_t kMostCells = std::uint64_t{1} << 28;  // of all exemplars
+
+struct Model {
+    Terrain terrain;
+    Field<std::uint8_t> voids;
+};
+
+Model model_of(const Exemplar& exemplar, const Options& options, Progress& progress) {
+    Model model;
+    std::string what_was_done;
+    model.terrain = read_dem(exemplar.source, &what_was_done, &model.voids);
+    if (!what_was_done.empty())
+        progress.note(fmt::format("{}: {}", exemplar.source.name(), what_was_done));
+    model.terrain.spacing *= options.scale;
+    if (options.vertical_scale != 1.0)
+        for (float& height : model.terrain.heights)
+            height = static_cast<float>(height * options.vertical_scale);
+    return model;
+}
+
+void refuse_unusable(const std::string& name, const Model& model) {
+    const Field<float>& heights = model.terrain.heights;
+    if (std::min(heights.width(), heights.height()) < kShortestSide)
+        throw bad_request(
+            "{}: {} x {} cells of {:.4g} m: an exemplar needs {} x {} at least; give a "
+            "larger one or a smaller spacing",
+            name, heights.width(), heights.height(), model.terrain.spacing, kShortestSide,
+            kShortestSide);
+    const auto [low, high] = std::ranges::minmax(heights);
+    if (!(high - low > 0.0f))
+        throw bad_request(
+            "{}: all its heights are {:g} m: there is no land to take from it; remove it",
+            name, low);
+}
+
+// On cells of another size, as many as fit, the rest shared between opposite edges.
+Model resampled(const std::string& name, const Model& model, double spacing) {
+    const Field<float>& from = model.terrain.heights;
+    const double cell = spacing / model.terrain.spacing;
+    const double columns = std::floor(from.width() / cell + 1e-6);
+    const double rows = std::floor(from.height() / cell + 1e-6);
+    if (!(std::max(columns, rows) <= kLongestSide))
+        throw bad_request(
+            "{}: {:.0f} x {:.0f} cells of {:.4g} m, more than {} x {}: give a larger "
+            "spacing or a smaller exemplar",
+            name, columns, rows, spacing, kLongestSide, kLongestSide);
+    const int width = std::max(1, static_cast<int>(columns));
+    const int height = std::max(1, static_cast<int>(rows));
+    const SampleGrid grid{0.5 * (from.width() - cell * width),
+                          0.5 * (from.height() - cell * height), cell};
+    Model result;
+    result.terrain.spacing = spacing;
+    result.terrain.heights = sampled(from, grid, width, height);
+    if (!model.voids.empty()) {
+        Field<float> share(from.width(), from.height());
+        std::ranges::copy(model.voids, share.begin());
+        share = sampled(share, grid, width, height);
+        result.voids = Field<std::uint8_t>(width, height);
+        std::ranges::transform(share, result.voids.begin(),
+                               [](float weight) { return std::abs(weight) > 0.02f; });
+    }
+    return result;
+}
+
+Model at_spacing(const std::string& name, Model model, double spacing,
+                 Progress& progress) {
+    const double own = model.terrain.spacing;
+    if (std::abs(own / spacing - 1.0) < 1e-3) return model;
+    progress.note(
+        fmt::format("{}: its cells of {:.4g} m were resampled to the synthesis' {:.4g} m",
+                    name, own, spacing));
+    return resampled(name, model, spacing);
+}
+
+// T^0 of all lands.
+void add_types(const Options& options, Lands& lands) {
+    if (options.automatic_types && !options.types.empty()) {
+        std::vector<Field<float>> heights;
+        for (const Land& land : lands.all) heights.push_back(land.heights);
+        auto types = automatic_types(heights, lands.spacing,
+                                     static_cast<int>(options.types.size()));
+        for (std::size_t i = 0; i < types.size(); ++i)
+            lands.all[i].types = std::move(types[i]);
+    }
+    for (std::size_t i = 0; i < lands.all.size(); ++i) {
+        Land& land = lands.all[i];
+        if (!land.types.same_shape(land.heights))
+            land.types = painted_types(options, static_cast<int>(i), land.heights.width(),
+                                       land.heights.height());
+    }
+}
+
+}  // namespace
+
+Lands lands_of(const Options& options, Progress& progress) {
+    if (options.exemplars.empty())
+        throw bad_request("no exemplars: name at least one elevation model");
+    if (options.exemplars.size() > kMostExemplars)
+        throw bad_request("{} exemplars, more than {}", options.exemplars.size(),
+                          kMostExemplars);
+    Lands lands;
+    lands.spacing = options.spacing;
+    std::uint64_t cells = 0;
+    for (const Exemplar& exemplar : options.exemplars) {
+        progress.report(double(lands.all.size()) / double(options.exemplars.size()));
+        const std::string name = exemplar.source.name();
+        Model model = model_of(exemplar, options, progress);
+        if (lands.spacing == 0.0) lands.spacing = model.terrain.spacing;
+        model = at_spacing(name, std::move(model), lands.spacing, progress);
+        refuse_unusable(name, model);
+        cells += model.terrain.heights.size();
+        if (cells > kMostCells)
+            throw bad_request(
+                "the exemplars up to {} have {} cells of {:.4g} m, more than {}: give "
+                "fewer, smaller ones or a larger spacing",
+                name, cells, lands.spacing, kMostCells);
+        lands.all.push_back(
+            {name, std::move(model.terrain.heights), std::move(model.voids)});
+    }
+    add_types(options, lands);
+    return lands;
+}
+
+}  // namespace cydonia::texture

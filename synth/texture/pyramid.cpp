@@ -1,0 +1,193 @@
+#include "synth/texture/pyramid.h"
+
+#include <algorithm>
+
+#include "field/parallel.h"
+#include "field/random.h"
+
+namespace cydonia::texture {
+namespace {
+
+// Means of 2x2 cells; an odd last row or column is left out.
+Field<float> halved(const Field<float>& fine) {
+    Field<float> coarse(std::max(1, fine.width() / 2), std::max(1, fine.height() / 2));
+    const int right = fine.width() > 1, below = fine.height() > 1;
+    parallel_for(coarse.height(), 16, [&](int y) {
+        for (int x = 0; x < coarse.width(); ++x)
+            coarse(x, y) =
+                0.25f * (fine(2 * x, 2 * y) + fine(2 * x + right, 2 * y) +
+                         fine(2 * x, 2 * y + below) + fine(2 * x + right, 2 * y + below));
+    });
+    return coarse;
+}
+
+// The commonest type in each square of `side` cells of T^0 (section 5.2), the first of
+// equals.
+Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int side, int width,
+                             int height) {
+    Field<std::uint8_t> result(width, height);
+    parallel_for(height, 16, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            std::array<int, kMostTypes + 1> count{};  // the last: no type
+            for (int v = side * y; v < std::min(side * (y + 1), types.height()); ++v)
+                for (int u = side * x; u < std::min(side * (x + 1), types.width()); ++u)
+                    ++count[std::min<std::size_t>(types(u, v), kMostTypes)];
+            const auto most = std::ranges::max_element(count) - count.begin();
+            result(x, y) = most == kMostTypes ? kNoType : static_cast<std::uint8_t>(most);
+        }
+    });
+    return result;
+}
+
+// kNowhere within 2.5 cells of voids: appearance would tell of interpolated land. A cell
+// of a coarse level counts as one when a quarter of it is.
+void close_voids(const Field<float>& void_share, Field<std::uint8_t>& types) {
+    for (int y = 0; y < types.height(); ++y)
+        for (int x = 0; x < types.width(); ++x) {
+            if (void_share(x, y) < 0.25f) continue;
+            for (int v = std::max(0, y - 2); v <= std::min(y + 2, types.height() - 1);
+                 ++v)
+                for (int u = std::max(0, x - 2); u <= std::min(x + 2, types.width() - 1);
+                     ++u)
+                    if ((u - x) * (u - x) + (v - y) * (v - y) <= 6)
+                        types(u, v) = kNowhere;
+        }
+}
+
+void close_borders(Field<std::uint8_t>& types) {
+    for (int y = 0; y < types.height(); ++y)
+        for (int x = 0; x < types.width(); ++x)
+            if (std::min({x, y, types.width() - 1 - x, types.height() - 1 - y}) < kBorder)
+                types(x, y) = kNowhere;
+}
+
+// One exemplar at one level.
+struct Layer {
+    Field<float> heights;
+    Field<float> void_share;  // empty: no voids
+    Field<std::uint8_t> types;
+};
+
+Layer first_layer(const Land& land) {
+    Layer layer{land.heights, {}, land.types};
+    if (!land.voids.empty()) {
+        layer.void_share = Field<float>(land.voids.width(), land.voids.height());
+        std::ranges::copy(land.voids, layer.void_share.begin());
+    }
+    return layer;
+}
+
+Layer coarser(const Layer& fine, const Land& land, int level) {
+    Layer layer;
+    layer.heights = halved(fine.heights);
+    if (!fine.void_share.empty()) layer.void_share = halved(fine.void_share);
+    layer.types =
+        majority(land.types, 1 << level, layer.heights.width(), layer.heights.height());
+    return layer;
+}
+
+Sheet sheet_for(const Layer& layer, std::size_t& cells) {
+    Sheet sheet;
+    sheet.width = layer.heights.width();
+    sheet.height = layer.heights.height();
+    sheet.stride = sheet.width + 2 * kGuard;
+    sheet.origin = cells + std::size_t(kGuard) * std::size_t(sheet.stride) + kGuard;
+    cells += std::size_t(sheet.stride) * std::size_t(sheet.height + 2 * kGuard);
+    return sheet;
+}
+
+LevelArrays arrays_of(const std::vector<Layer>& layers) {
+    LevelArrays level;
+    std::size_t cells = 0;
+    for (const Layer& layer : layers) level.sheets.push_back(sheet_for(layer, cells));
+    level.heights.resize(cells);
+    level.appearance.resize(cells);
+    level.matches.resize(cells);
+    level.types.resize(cells, kNowhere);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Sheet& sheet = level.sheets[i];
+        Field<std::uint8_t> types = layers[i].types;
+        if (!layers[i].void_share.empty()) close_voids(layers[i].void_share, types);
+        close_borders(types);
+        for (int y = 0; y < sheet.height; ++y) {
+            std::ranges::copy(layers[i].heights.row(y),
+                              &level.heights[sheet.index(0, y)]);
+            std::ranges::copy(types.row(y), &level.types[sheet.index(0, y)]);
+        }
+        fill_guard(sheet, level.heights);
+    }
+    return level;
+}
+
+// A level is of use while some exemplar has about 4x4 places on it.
+bool has_land(const LevelArrays& level) {
+    constexpr int kFewest = 16;
+    return std::ranges::any_of(level.sheets, [&](const Sheet& sheet) {
+        std::ptrdiff_t places = 0;
+        for (int y = 0; y < sheet.height; ++y) {
+            const std::uint8_t* row = &level.types[sheet.index(0, y)];
+            places += sheet.width - std::count(row, row + sheet.width, kNowhere);
+        }
+        return places >= kFewest;
+    });
+}
+
+}  // namespace
+
+Level LevelArrays::view() const {
+    Level level{sheets, heights, appearance, matches, types, last_sign, {}};
+    level.seeds.assign(seeds.begin(), seeds.end());
+    return level;
+}
+
+std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most) {
+    std::vector<Layer> layers;
+    for (const Land& land : lands) layers.push_back(first_layer(land));
+    std::vector<LevelArrays> pyramid{arrays_of(layers)};
+    while (static_cast<int>(pyramid.size()) < most) {
+        const int level = static_cast<int>(pyramid.size());
+        for (std::size_t i = 0; i < lands.size(); ++i)
+            layers[i] = coarser(layers[i], lands[i], level);
+        LevelArrays next = arrays_of(layers);
+        if (!has_land(next)) break;
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+void sow(LevelArrays& level, int types) {
+    // Of each type's places those with the least hashes, in the order of these.
+    struct Seed {
+        std::uint64_t hash, place;
+        bool operator<(const Seed& other) const { return hash < other.hash; }
+    };
+    std::vector<std::vector<Seed>> found(std::size_t(std::max(1, types)));
+    for (std::uint64_t e = 0; e < level.sheets.size(); ++e) {
+        const Sheet& sheet = level.sheets[e];
+        for (int y = 0; y < sheet.height; ++y)
+            for (int x = 0; x < sheet.width; ++x) {
+                const std::size_t type = types == 0 ? 0 : level.types[sheet.index(x, y)];
+                const bool nowhere = level.types[sheet.index(x, y)] == kNowhere;
+                if (nowhere || type >= found.size()) continue;
+                const std::uint64_t place =
+                    e << 48 | std::uint64_t(y) << 24 | std::uint64_t(x);
+                const Seed seed{hash_of({key("seed"), place}), place};
+                auto& heap = found[type];
+                if (heap.size() == kSeeds && !(seed < heap.front())) continue;
+                if (heap.size() == kSeeds) {
+                    std::ranges::pop_heap(heap, std::less<>{});
+                    heap.pop_back();
+                }
+                heap.push_back(seed);
+                std::ranges::push_heap(heap, std::less<>{});
+            }
+    }
+    level.seeds.clear();
+    for (auto& heap : found) {
+        std::ranges::sort_heap(heap, std::less<>{});
+        std::vector<std::uint64_t>& places = level.seeds.emplace_back();
+        for (const Seed& seed : heap) places.push_back(seed.place);
+    }
+}
+
+}  // namespace cydonia::texture

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field/field.h"
+#include "synth/texture/database.h"
+
+namespace cydonia::texture {
+
+// An exemplar, ready to be taken apart.
+struct Land {
+    std::string name;
+    Field<float> heights;         // metres
+    Field<std::uint8_t> voids;    // 1: interpolated; empty: nowhere
+    Field<std::uint8_t> types{};  // T^0: kNoType, or an index below kMostTypes
+};
+
+// A Level that is being made; what it shows is as long-lived as this.
+struct LevelArrays {
+    std::vector<Sheet> sheets;
+    std::vector<float> heights;
+    std::vector<Appearance> appearance;
+    std::vector<Match> matches;
+    std::vector<std::uint8_t> types;
+    std::array<std::int8_t, 8> last_sign{};
+    std::vector<std::vector<std::uint64_t>> seeds;
+
+    Level view() const;
+};
+
+// Cells of a sheet's own from which no land is taken: a candidate's neighbourhood and its
+// neighbours' must be there.
+inline constexpr int kBorder = 3;
+// The shortest side of an exemplar that leaves a neighbourhood of 5x5 inside its borders.
+inline constexpr int kShortestSide = 5 + 2 * kBorder;
+
+// E^i and T^i, each half as wide as the one before (a pyramid, not a stack: section 4),
+// with their guards: at most `most` of them, the first always, further ones while some
+// exemplar has land on them. Appearance and matches have their size only.
+std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most);
+
+// Guard cells take what the border beside them has.
+template <class T>
+void fill_guard(const Sheet& sheet, std::vector<T>& values);
+
+// Up to kSeeds places of each type of `types` (of all land as kNoType where there are
+// none), as evenly hashed over it.
+void sow(LevelArrays& level, int types);
+
+template <class T>
+void fill_guard(const Sheet& sheet, std::vector<T>& values) {
+    const auto clamped = [](int at, int size) {
+        return at < 0 ? 0 : at < size ? at : size - 1;
+    };
+    for (int y = -kGuard; y < sheet.height + kGuard; ++y) {
+        for (int x = -kGuard; x < sheet.width + kGuard; ++x) {
+            if (x == 0 && y >= 0 && y < sheet.height) x = sheet.width;
+            values[sheet.index(x, y)] =
+                values[sheet.index(clamped(x, sheet.width), clamped(y, sheet.height))];
+        }
+    }
+}
+
+}  // namespace cydonia::texture
