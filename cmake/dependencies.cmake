@@ -14,6 +14,7 @@ if(NOT embree_FOUND)
     find_package(embree 3.13 REQUIRED)
 endif()
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0)
+pkg_check_modules(XML REQUIRED IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 # Debian 12's CMake package of OpenColorIO names a folder that does not exist; its .pc is right.
 pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
