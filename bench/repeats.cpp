@@ -71,16 +71,19 @@ Repeats repeats(const Field<Place>& places, int side) {
     Repeats result;
     int again = 0;
     for (std::size_t i = 0, next; i < all.size(); i = next) {
-        for (next = i; next < all.size() && all[next].block == all[i].block;) ++next;
-        const int count = static_cast<int>(next - i);
+        std::vector<Sight> apart;  // what overlaps is one showing, a little stretched
+        for (next = i; next < all.size() && all[next].block == all[i].block; ++next) {
+            double nearest = HUGE_VAL;
+            for (const Sight& other : apart)
+                nearest = std::min(nearest, distance(all[next], other));
+            if (nearest < side) continue;
+            apart.push_back(all[next]);
+            if (nearest < HUGE_VAL && (result.nearest == 0.0 || nearest < result.nearest))
+                result.nearest = nearest;
+        }
+        const int count = static_cast<int>(apart.size());
         result.most = std::max(result.most, count);
-        if (count < 2) continue;
-        again += count;
-        for (std::size_t a = i; a < next; ++a)
-            for (std::size_t b = i; b < a; ++b) {
-                const double d = distance(all[a], all[b]);
-                if (result.nearest == 0.0 || d < result.nearest) result.nearest = d;
-            }
+        if (count > 1) again += count;
     }
     result.share =
         static_cast<double>(again) * side * side / static_cast<double>(places.size());
