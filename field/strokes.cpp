@@ -97,7 +97,8 @@ Field<Rgba8> painted_with(Palette palette, const Field<Rgba8>& image,
         const int y = static_cast<int>(i) / image.width();
         if (near_a_stroke(result, x, y)) continue;
         throw bad_request(
-            "colour #{:02x}{:02x}{:02x} of {} has no group: give it one, or leave it out",
+            "colour #{:02x}{:02x}{:02x} of {} has no group or type: give it one, or "
+            "leave it out",
             image[i][0], image[i][1], image[i][2], source.name());
     }
     return result;

@@ -22,6 +22,8 @@ class TypeMap {
     bool empty() const;  // nothing painted
     // R^i of a window of level kFinestGuided or coarser; kAnyType outside the terrain.
     Field<TypeSet> sets(const Window& window) const;
+    // Every type that is painted somewhere; none where empty().
+    TypeSet asked() const;
 
   private:
     std::vector<Field<TypeSet>> levels_;
