@@ -33,7 +33,7 @@ render::CameraOptions camera_of(const char* name, const View& view) {
     camera.sun =
         Sun{std::fmod(view.azimuth + radians(view.sun_on_the_left ? 80.0 : 280.0),
                       radians(360.0)),
-            radians(32.0)};
+            radians(38.0)};
     return camera;
 }
 

@@ -37,7 +37,7 @@ namespace {
 constexpr int kLongest = 512;           // cells a side
 constexpr double kShare = 2.0 / 3.0;    // of the exemplar's shorter side, at most
 constexpr int kTries = 64;              // places, of which the least seen is taken
-constexpr double kRelief = 1.0 / 10.0;  // of the width: gentler land is exaggerated
+constexpr double kRelief = 1.0 / 25.0;  // of the width: gentler land is exaggerated
 
 struct Corner {
     int x, y;
