@@ -5,20 +5,18 @@
 
 namespace cydonia::texture {
 
-// How unlike two neighbourhoods of appearance are, whatever their heights: the mean
-// square of what is left between them when the second is laid down with its orientation
-// and raised or lowered to fit best. Units of appearance space, squared.
+// How unlike a place and its match are: the mean square of what is left between them when
+// the match is laid down with its orientation and raised or lowered to fit best. Units of
+// appearance space, squared.
 float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
                  const Match& match);
 
-// Squared cells between a cell and its match in the same exemplar: more than this.
+// Squared cells between a place and its match in the same exemplar: more than this.
 inline constexpr int kFarEnough = 25;
 
-// C^i_2 (eq. 3), guards too: by PatchMatch (Barnes et al., "PatchMatch: a randomized
-// correspondence algorithm for structural image editing", 2009), starting from the
-// matches of the next coarser level where there is one; small levels exhaustively. The
-// same for any number of threads. `orientations`: 1, 2, 4 or 8. Progress is reported from
-// `begin` to `end`.
+// C^i_2 (eq. 3), guards too. The same for any number of threads. `coarser`: the next
+// level, whose matches are known; null where there is none. `orientations`: 1, 2, 4 or 8.
+// Progress is reported from `begin` to `end`.
 void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientations,
                  Progress& progress, double begin, double end);
 
