@@ -112,10 +112,8 @@ Field<TypeSet> TypeMap::sets(const Window& window) const {
     const auto level = static_cast<std::size_t>(window.level - kFinestGuided);
     if (level >= levels_.size()) return result;
     const Field<TypeSet>& all = levels_[level];
-    const int left = std::max(0, -window.x);
-    const int right = std::min(window.width, all.width() - window.x);
     for (int y = 0; y < window.height; ++y)
-        for (int x = left; x < right; ++x)
+        for (int x = 0; x < window.width; ++x)
             if (all.contains(window.x + x, window.y + y))
                 result(x, y) = all(window.x + x, window.y + y);
     return result;
