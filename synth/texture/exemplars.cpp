@@ -11,7 +11,6 @@
 namespace cydonia::texture {
 namespace {
 
-constexpr int kLongestSide = 16384;
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 28;  // of all exemplars
 
 struct Model {

@@ -8,9 +8,10 @@
 namespace cydonia::texture {
 namespace {
 
-// Means of 2x2 cells; an odd last row or column is left out.
+// Means of 2x2 cells.
 Field<float> halved(const Field<float>& fine) {
-    Field<float> coarse(std::max(1, fine.width() / 2), std::max(1, fine.height() / 2));
+    const Size size = coarser_size({fine.width(), fine.height()});
+    Field<float> coarse(size.width, size.height);
     const int right = fine.width() > 1, below = fine.height() > 1;
     parallel_for(coarse.height(), 16, [&](int y) {
         for (int x = 0; x < coarse.width(); ++x)
@@ -86,20 +87,13 @@ Layer coarser(const Layer& fine, const Land& land, int level) {
     return layer;
 }
 
-Sheet sheet_for(const Layer& layer, std::size_t& cells) {
-    Sheet sheet;
-    sheet.width = layer.heights.width();
-    sheet.height = layer.heights.height();
-    sheet.stride = sheet.width + 2 * kGuard;
-    sheet.origin = cells + std::size_t(kGuard) * std::size_t(sheet.stride) + kGuard;
-    cells += std::size_t(sheet.stride) * std::size_t(sheet.height + 2 * kGuard);
-    return sheet;
-}
-
 LevelArrays arrays_of(const std::vector<Layer>& layers) {
+    std::vector<Size> sizes;
+    for (const Layer& layer : layers)
+        sizes.push_back({layer.heights.width(), layer.heights.height()});
     LevelArrays level;
-    std::size_t cells = 0;
-    for (const Layer& layer : layers) level.sheets.push_back(sheet_for(layer, cells));
+    level.sheets = sheets_of(sizes);
+    const std::size_t cells = cells_of(level.sheets);
     level.heights.resize(cells);
     level.appearance.resize(cells);
     level.matches.resize(cells);
@@ -134,6 +128,28 @@ bool has_land(const LevelArrays& level) {
 
 }  // namespace
 
+Size coarser_size(Size fine) {
+    return {std::max(1, fine.width / 2), std::max(1, fine.height / 2)};
+}
+
+std::vector<Sheet> sheets_of(std::span<const Size> sizes) {
+    std::vector<Sheet> sheets;
+    std::size_t cells = 0;
+    for (const Size& size : sizes) {
+        const int stride = size.width + 2 * kGuard;
+        sheets.push_back({size.width, size.height, stride,
+                          cells + std::size_t(kGuard) * std::size_t(stride) + kGuard});
+        cells += std::size_t(stride) * std::size_t(size.height + 2 * kGuard);
+    }
+    return sheets;
+}
+
+std::size_t cells_of(const std::vector<Sheet>& sheets) {
+    if (sheets.empty()) return 0;
+    const Sheet& last = sheets.back();
+    return last.index(last.width - 1 + kGuard, last.height - 1 + kGuard) + 1;
+}
+
 Level LevelArrays::view() const {
     Level level{sheets, heights, appearance, matches, types, last_sign, {}};
     level.seeds.assign(seeds.begin(), seeds.end());
@@ -144,7 +160,7 @@ std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most) {
     std::vector<Layer> layers;
     for (const Land& land : lands) layers.push_back(first_layer(land));
     std::vector<LevelArrays> pyramid{arrays_of(layers)};
-    while (static_cast<int>(pyramid.size()) < most) {
+    while (static_cast<int>(pyramid.size()) < std::min(most, kMostLevels)) {
         const int level = static_cast<int>(pyramid.size());
         for (std::size_t i = 0; i < lands.size(); ++i)
             layers[i] = coarser(layers[i], lands[i], level);
@@ -161,14 +177,13 @@ void sow(LevelArrays& level, int types) {
         std::uint64_t hash, place;
         bool operator<(const Seed& other) const { return hash < other.hash; }
     };
-    std::vector<std::vector<Seed>> found(std::size_t(std::max(1, types)));
+    std::vector<std::vector<Seed>> found(static_cast<std::size_t>(types));
     for (std::uint64_t e = 0; e < level.sheets.size(); ++e) {
         const Sheet& sheet = level.sheets[e];
         for (int y = 0; y < sheet.height; ++y)
             for (int x = 0; x < sheet.width; ++x) {
-                const std::size_t type = types == 0 ? 0 : level.types[sheet.index(x, y)];
-                const bool nowhere = level.types[sheet.index(x, y)] == kNowhere;
-                if (nowhere || type >= found.size()) continue;
+                const std::size_t type = level.types[sheet.index(x, y)];
+                if (type >= found.size()) continue;
                 const std::uint64_t place =
                     e << 48 | std::uint64_t(y) << 24 | std::uint64_t(x);
                 const Seed seed{hash_of({key("seed"), place}), place};

@@ -35,6 +35,20 @@ inline constexpr int kBorder = 3;
 // The shortest side of an exemplar that leaves a neighbourhood of 5x5 inside its borders.
 inline constexpr int kShortestSide = 5 + 2 * kBorder;
 
+inline constexpr int kLongestSide = 16384;  // of an exemplar, cells
+inline constexpr int kMostLevels = 15;
+
+struct Size {
+    int width = 0, height = 0;  // cells
+};
+
+// Of the next coarser level: an odd last row or column is left out.
+Size coarser_size(Size fine);
+
+// One after another, with their guards, in arrays of cells_of(sheets).
+std::vector<Sheet> sheets_of(std::span<const Size> sizes);
+std::size_t cells_of(const std::vector<Sheet>& sheets);
+
 // E^i and T^i, each half as wide as the one before (a pyramid, not a stack: section 4),
 // with their guards: at most `most` of them, the first always, further ones while some
 // exemplar has land on them. Appearance and matches have their size only.
@@ -44,8 +58,7 @@ std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most);
 template <class T>
 void fill_guard(const Sheet& sheet, std::vector<T>& values);
 
-// Up to kSeeds places of each type of `types` (of all land as kNoType where there are
-// none), as evenly hashed over it.
+// Up to kSeeds places of each of so many types, evenly over its land.
 void sow(LevelArrays& level, int types);
 
 template <class T>
