@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "field/error.h"
 #include "field/parallel.h"
 #include "field/strokes.h"
 #include "synth/texture/database.h"
@@ -14,9 +13,7 @@
 namespace cydonia::texture {
 namespace {
 
-constexpr double kMostCells = 1 << 26;  // of the finest guided level
-constexpr int kMostDrawn = 1 << 24;     // pixels that the painting is drawn with
-constexpr int kFinest = 1 << kFinestGuided;
+constexpr double kMostCells = 1 << 24;  // of a level, and pixels of the painting
 
 // A picture's types, kNoType where it is not painted, on a grid it is stretched over.
 Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& types,
@@ -53,42 +50,26 @@ Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int hei
     return result;
 }
 
-// The terrain at the finest guided level, cells.
-struct Cells {
-    double across, down;  // exactly
-    int width, height;    // whole ones that cover it
-};
-
-Cells cells_of(const Ground& ground) {
-    const double cell = kFinest * ground.spacing;
+// R of a level, from a painting drawn finer than its cells while memory allows.
+Field<TypeSet> sets_of(const Options& options, const Ground& ground, int level) {
+    const double cell = std::ldexp(ground.spacing, level);
     const double across = ground.width / cell, down = ground.depth / cell;
-    if (!(across * down <= kMostCells))
-        throw bad_request(
-            "texture: types cannot be painted on {:.3g} x {:.3g} cells of the synthesis; "
-            "make the terrain smaller or `spacing` larger",
-            ground.width / ground.spacing, ground.depth / ground.spacing);
-    return {across, down, std::max(1, static_cast<int>(std::ceil(across - 1e-6))),
-            std::max(1, static_cast<int>(std::ceil(down - 1e-6)))};
-}
-
-// R of the finest guided level, from a painting drawn finer while memory allows.
-Field<TypeSet> finest_sets(const Options& options, const Ground& ground) {
-    const Cells cells = cells_of(ground);
-    int detail = kFinest;
-    while (detail > 1 && detail * detail * cells.across * cells.down > kMostDrawn)
-        detail /= 2;
-    const auto drawn = [&](double exact, int whole) {
-        return std::clamp(static_cast<int>(std::lround(detail * exact)), 1,
-                          detail * whole);
+    const auto whole = [](double cells) {
+        return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
+    };
+    int detail = 4;
+    while (detail > 1 && detail * detail * across * down > kMostCells) detail /= 2;
+    const auto drawn = [&](double cells) {
+        return std::clamp(static_cast<int>(std::lround(detail * cells)), 1,
+                          detail * whole(cells));
     };
     const Field<std::uint8_t> painted =
-        types_in(*options.paint, options.types, drawn(cells.across, cells.width),
-                 drawn(cells.down, cells.height));
+        types_in(*options.paint, options.types, drawn(across), drawn(down));
     Field<TypeSet> sets(painted.width(), painted.height());
     std::ranges::transform(painted, sets.begin(), [](std::uint8_t type) {
         return type == kNoType ? kAnyType : TypeSet{1} << type;
     });
-    return united(sets, detail, cells.width, cells.height);
+    return united(sets, detail, whole(across), whole(down));
 }
 
 }  // namespace
@@ -96,8 +77,10 @@ Field<TypeSet> finest_sets(const Options& options, const Ground& ground) {
 TypeMap::TypeMap(const Options& options, const Ground& ground, int levels) {
     if (!options.paint || levels <= kFinestGuided) return;
     assert(options.types.size() <= kMostTypes);
-    levels_.push_back(finest_sets(options, ground));
-    for (int level = kFinestGuided + 1; level < levels; ++level) {
+    const double cells = ground.width / ground.spacing * ground.depth / ground.spacing;
+    while (std::ldexp(cells, -2 * finest_) > kMostCells) ++finest_;
+    levels_.push_back(sets_of(options, ground, finest_));
+    for (int level = finest_ + 1; level < levels; ++level) {
         const Field<TypeSet>& finer = levels_.back();
         levels_.push_back(
             united(finer, 2, (finer.width() + 1) / 2, (finer.height() + 1) / 2));
@@ -109,13 +92,15 @@ bool TypeMap::empty() const { return levels_.empty(); }
 Field<TypeSet> TypeMap::sets(const Window& window) const {
     assert(window.level >= kFinestGuided);
     Field<TypeSet> result(window.width, window.height, kAnyType);
-    const auto level = static_cast<std::size_t>(window.level - kFinestGuided);
-    if (level >= levels_.size()) return result;
-    const Field<TypeSet>& all = levels_[level];
+    const int level = std::max(window.level, finest_), shift = level - window.level;
+    const auto index = static_cast<std::size_t>(level - finest_);
+    if (index >= levels_.size()) return result;
+    const Field<TypeSet>& all = levels_[index];
     for (int y = 0; y < window.height; ++y)
-        for (int x = 0; x < window.width; ++x)
-            if (all.contains(window.x + x, window.y + y))
-                result(x, y) = all(window.x + x, window.y + y);
+        for (int x = 0; x < window.width; ++x) {
+            const int i = (window.x + x) >> shift, j = (window.y + y) >> shift;
+            if (all.contains(i, j)) result(x, y) = all(i, j);
+        }
     return result;
 }
 

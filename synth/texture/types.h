@@ -26,7 +26,8 @@ class TypeMap {
     TypeSet asked() const;
 
   private:
-    std::vector<Field<TypeSet>> levels_;
+    int finest_ = kFinestGuided;  // a coarser one where the terrain has very many cells
+    std::vector<Field<TypeSet>> levels_;  // from there on
 };
 
 // Types of an exemplar's cells, its T^0: painted, all one, or kNoType. `index` is its

@@ -147,11 +147,14 @@ TEST_F(Painted, ColourThatNoTypeHas) {
     });
 }
 
-TEST_F(Painted, TerrainOfTooManyCells) {
-    options_.paint = picture(8, [](int, int) { return kRed; });
-    expect_error(ExitCode::kBadRequest, "make the terrain smaller", [&] {
-        TypeMap(options_, {1e7, 1e7, 0.001}, 6);
-    });
+TEST_F(Painted, TerrainOfVeryManyCells) {
+    const TypeMap types =
+        map(100000, 64, [](int x, int) { return x < 16 ? kRed : kWhite; });
+    EXPECT_EQ(types.sets({2, 6240, 24000, 1, 1})(0, 0), kA);
+    EXPECT_EQ(types.sets({2, 6260, 24000, 1, 1})(0, 0), kAnyType);
+    EXPECT_EQ(types.sets({2, -1, 24000, 1, 1})(0, 0), kAnyType);
+    EXPECT_EQ(types.sets({7, 190, 0, 1, 1})(0, 0), kA);
+    EXPECT_EQ(types.sets({7, 200, 0, 1, 1})(0, 0), kAnyType);
 }
 
 TEST_F(Painted, TerrainOfOneCell) {
@@ -163,7 +166,7 @@ TEST_F(Painted, ExemplarsByPictureByNameAndNotAtAll) {
     options_.exemplars.resize(3);
     options_.exemplars[0].types =
         picture(10, [](int, int y) { return y < 5 ? kBlue : kWhite; });
-    options_.exemplars[1].type = "b";
+    options_.exemplars[1].type = options_.types[1].name;
     const Field<std::uint8_t> drawn = painted_types(options_, 0, 40, 20);
     ASSERT_EQ(drawn.width(), 40);
     EXPECT_EQ(drawn(39, 9), 2);
