@@ -36,7 +36,10 @@ std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
 class Joiner {
   public:
     Joiner(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground)
-        : spikes_(spikes), strands_(strands), cell_(ground.spacing) {}
+        : spikes_(spikes),
+          strands_(strands),
+          land_{0.0, ground.width, 0.0, ground.depth},
+          cell_(ground.spacing) {}
 
     void join() {
         const auto meetings = meetings_of(spikes_, strands_, cell_);
@@ -84,7 +87,7 @@ class Joiner {
     }
 
     void note(const Meeting& m, double won, double lost) {
-        if (std::abs(won - lost) <= 0.1 * cell_) return;
+        if (std::abs(won - lost) <= 0.1 * cell_ || !land_.holds(m.at)) return;
         Dispute& dispute = disputes_[{m.first, m.second}];
         ++dispute.places;
         if (dispute.places > 1 &&
@@ -186,6 +189,7 @@ class Joiner {
 
     std::vector<Spike>& spikes_;
     std::vector<Strand>& strands_;
+    Box land_;
     double cell_;
     std::map<std::pair<int, int>, Dispute> disputes_;
 };

@@ -63,7 +63,11 @@ bool add_sites(const Strand& strand, int owner, const Ground& ground,
 struct Clash {
     int winner, loser;
     double apart = 0.0;  // metres of height
+    int sites = 0;
 };
+
+// Two curves that cross at a small angle share some cells, and have been warned of.
+constexpr int kAtCrossing = 4;
 
 // Takes away sites that stand in a cell of an earlier constraint's with another height.
 std::vector<Clash> resolve(std::vector<Site>& sites, double cell) {
@@ -78,14 +82,16 @@ std::vector<Clash> resolve(std::vector<Site>& sites, double cell) {
         const double apart = std::abs(site.height - earlier.height);
         if (earlier.constraint != site.constraint && apart > cell) {
             Clash& clash = clashes[{earlier.constraint, site.constraint}];
-            clash = {earlier.constraint, site.constraint, std::max(clash.apart, apart)};
+            clash = {earlier.constraint, site.constraint, std::max(clash.apart, apart),
+                     clash.sites + 1};
             continue;
         }
         kept.push_back(site);
     }
     sites = std::move(kept);
     std::vector<Clash> list;
-    for (const auto& [pair, clash] : clashes) list.push_back(clash);
+    for (const auto& [pair, clash] : clashes)
+        if (clash.sites > kAtCrossing) list.push_back(clash);
     return list;
 }
 
