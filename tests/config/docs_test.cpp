@@ -28,9 +28,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::map<std::string, std::string> values_of(const SceneSpec& scene) {
     std::string text = fmt::format(
         "seed = {}\nterrain.extent[0] = {}\nterrain.extent[1] = {}\n"
-        "terrain.samples = {}\ntitle = {}\n",
+        "terrain.samples = {}\nterrain.tiles = {}\ntitle = {}\n",
         scene.seed, scene.terrain.width, scene.terrain.depth, scene.terrain.samples,
-        scene.title);
+        scene.terrain.tiles, scene.title);
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
         for (const auto& line : lines_of(scene.stages[i].text))
             text += fmt::format("terrain.stage[{}].{}\n", i, line);
@@ -45,14 +45,15 @@ std::map<std::string, std::string> values_of(const SceneSpec& scene) {
     return values;
 }
 
-// Every key of the full scene: {"terrain", "stage", "grain", ...}.
-std::set<std::string> known_keys(const SceneSpec& scene) {
+// Every key of a full scene, or of a part of it: {"terrain", "stage", "grain", ...}.
+std::set<std::string> known_keys(const SceneSpec& scene, const std::string& part) {
     static const std::regex word("[a-z_]+");
     std::set<std::string> keys;
     for (const auto& [path, value] : values_of(scene))
-        for (std::sregex_iterator at(path.begin(), path.end(), word), end; at != end;
-             ++at)
-            keys.insert(at->str());
+        if (path.starts_with(part))
+            for (std::sregex_iterator at(path.begin(), path.end(), word), end; at != end;
+                 ++at)
+                keys.insert(at->str());
     return keys;
 }
 
@@ -65,7 +66,8 @@ struct Documented {
 std::string in_plain_scene(std::string table, const std::string& stage) {
     const std::pair<const char*, std::string> places[] = {
         {"terrain\\.stage", stage},
-        {"\\b(image|camera|profile|region)\\.", "$1[0]."},
+        {"\\b(image|camera|profile|region|exemplar|point|curve|handle|paste)\\.",
+         "$1[0]."},
         {"(stage\\[0\\]\\.water)\\.", "$1[0]."},
         {"group\\.(circles)", "group[1].$1"},
         {"group\\.(edges)", "group[2].$1"},
@@ -84,6 +86,7 @@ std::string needed_for(const std::string& path) {
         {"cost.azimuth", "kind=gaussian"}, {"cost.centre", "kind=distance"},
         {"cost.less", "share=[0.0, 1.0]"}, {"noise.offset", "kind=ridged"},
         {"noise.gain", "kind=ridged"},     {"strata.hardness", "layers=3"},
+        {"paste[0].turn", "exemplar=1"},   {"paste[0].mirror", "exemplar=1"},
     };
     for (const char* key : {"faithful", "natural", "hidden"})
         if (path == std::string("terrain.stage[1].") + key)
@@ -98,12 +101,15 @@ std::vector<Documented> documented_defaults() {
     static const std::regex heading("##+ `\\[+([a-z_.]+)\\]+`.*");
     static const std::regex row("\\| `([a-z_]+)` \\|[^|]*\\| `([^`]+)` \\|.*");
     std::vector<Documented> rows;
-    std::string prefix, stage = "terrain.stage[0]";
+    const std::map<std::string, int> stages{
+        {"distance", 0}, {"pareidolia", 1}, {"dem", 2}, {"texture", 3}};
+    std::string prefix, stage;
     for (const auto& line : lines_of(manual())) {
         std::smatch match;
-        if (line.find("method = \"pareidolia\"`") != line.npos)
-            stage = "terrain.stage[1]";
-        if (line.find("method = \"dem\"`") != line.npos) stage = "terrain.stage[2]";
+        if (line.starts_with("## "))
+            for (const auto& [method, index] : stages)
+                if (line.find("\"" + method + "\"") != line.npos)
+                    stage = fmt::format("terrain.stage[{}]", index);
         if (std::regex_match(line, match, heading)) {
             prefix = match[1].str() + ".";
             prefix = in_plain_scene(prefix, stage);
@@ -115,12 +121,16 @@ std::vector<Documented> documented_defaults() {
 }
 
 TEST_F(Docs, EveryKeyIsInTheFullSceneAndInTheManual) {
-    const std::string scene = golden_text("full.toml"), text = manual();
-    for (const auto& key : known_keys(load(scene).at(0))) {
-        EXPECT_NE(text.find('`' + key + '`'), text.npos)
-            << key << " is not in scene-file.md";
-        EXPECT_TRUE(std::regex_search(scene, std::regex("\\b" + key + "\\b")))
-            << key << " is not in full.toml";
+    const std::string text = manual();
+    for (const auto& [file, part] :
+         {std::pair{"full.toml", ""}, std::pair{"texture_full.toml", "terrain.stage"}}) {
+        const std::string scene = golden_text(file);
+        for (const auto& key : known_keys(load(scene).at(0), part)) {
+            EXPECT_NE(text.find('`' + key + '`'), text.npos)
+                << key << " is not in scene-file.md";
+            EXPECT_TRUE(std::regex_search(scene, std::regex("\\b" + key + "\\b")))
+                << key << " is not in " << file;
+        }
     }
 }
 
@@ -135,6 +145,12 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "[[terrain.stage]]\nmethod = \"pareidolia\"\nsolver = \"features\"\n"
         "[[terrain.stage.image]]\ntarget = \"ridges.svg\"\n"
         "[[terrain.stage]]\nmethod = \"dem\"\nsource = \"profile.png\"\n"
+        "[[terrain.stage]]\nmethod = \"texture\"\n"
+        "exemplar = [{ source = \"profile.png\" }]\n"
+        "type = [{ name = \"fell\", colour = \"green\" }]\n"
+        "point = [{ at = [0, 0], height = 0 }]\n"
+        "paste = [{ exemplar = \"terrain\", to = [0, 0], radius = 1 }]\n"
+        "curve = [{ points = [[0, 0], [1, 1]], height = 0 }]\n"
         "[[render.camera]]\nname = \"a\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));
     const auto rows = documented_defaults();

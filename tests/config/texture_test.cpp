@@ -201,5 +201,18 @@ TEST_F(TextureStage, OrientationsThatAreNoGroup) {
               std::string::npos);
 }
 
+// complaint() expects bad_request where load() throws; anything else fails or crashes.
+TEST_F(TextureStage, BrokenAtEveryByte) {
+    const std::string full = golden_text("texture_full.toml");
+    EXPECT_EQ(complaint(full), "");
+    const std::string bytes = std::string("\0\"[{=.-9*", 9);
+    for (std::size_t i = 0; i < full.size(); ++i) {
+        complaint(full.substr(0, i));
+        std::string broken = full;
+        broken[i] = bytes[i % bytes.size()];
+        complaint(broken);
+    }
+}
+
 }  // namespace
 }  // namespace cydonia::config
