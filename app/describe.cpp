@@ -119,9 +119,11 @@ bool holds_heights(const fs::path& file, const OIIO::ImageSpec& spec) {
 
 std::string description(const config::SceneSpec& spec) {
     std::string text = fmt::format(
-        "{}: {}\n  seed {}, {:g} x {:g} m, {} samples along the longer side\n", spec.name,
-        spec.title, spec.seed, spec.terrain.width, spec.terrain.depth,
-        spec.terrain.samples);
+        "{}: {}\n  seed {}, {:g} x {:g} m, {} samples along the longer side{}\n",
+        spec.name, spec.title, spec.seed, spec.terrain.width, spec.terrain.depth,
+        spec.terrain.samples,
+        spec.terrain.tiles > 0 ? fmt::format(", in tiles of {}", spec.terrain.tiles)
+                               : "");
     for (const config::StageSpec& stage : spec.stages) {
         text += fmt::format("  stage: {}", method_of(stage.options).name);
         for (const Source& source : stage.sources) text += ", " + source.name();

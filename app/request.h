@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Request {
     bool first_camera_only = false;
     bool explain = false;  // stages show how they came to their land
     std::optional<SolidRequest> solid = {};
+    // Of a land in tiles only this one: column from the west, row from the north.
+    std::optional<std::array<int, 2>> tile = {};
 };
 
 // How far to go; each goal includes those before it, but the sweep, which films frames of

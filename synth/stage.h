@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
@@ -39,6 +40,38 @@ inline Method method_of(const StageOptions& options) {
         }
     };
     return std::visit(Visitor{}, options);
+}
+
+// Why the land of a stage is made whole; empty where each of its cells depends on a
+// bounded part of the plane, and tile() makes any part of it alone.
+inline std::string_view whole_because(const StageOptions& options) {
+    struct Visitor {
+        using Reason = std::string_view;
+        Reason operator()(const dem::Options&) const { return "it is one model"; }
+        Reason operator()(const distance::Options&) const {
+            return "its paths cross the whole land";
+        }
+        Reason operator()(const pareidolia::Options&) const {
+            return "its shadows fall across the whole land";
+        }
+        Reason operator()(const texture::Options& o) const {
+            const auto of_terrain = [](const texture::Paste& p) { return !p.exemplar; };
+            if (o.breach) return "breach follows channels across the whole land";
+            if (o.coherent) return "coherent keeps to the whole land of the last run";
+            if (std::ranges::any_of(o.pastes, of_terrain))
+                return "a paste takes its region from the land itself";
+            return {};
+        }
+    };
+    return std::visit(Visitor{}, options);
+}
+
+// width x height of the first stage's heights, from column x and row y on. Not for a
+// stage that is made whole.
+inline Field<float> tile(const StageOptions& options, const texture::Extent& extent,
+                         const Context& context, int x, int y, int width, int height) {
+    return texture::tile(std::get<texture::Options>(options), extent, context, x, y,
+                         width, height);
 }
 
 }  // namespace cydonia

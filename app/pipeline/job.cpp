@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/pipeline/tiles.h"
 #include "app/sequence/film.h"
 #include "render/cameras.h"
 
@@ -40,6 +41,7 @@ Metadata Job::metadata() const {
 }
 
 std::vector<Step> steps_of(Job& job) {
+    if (job.spec.terrain.tiles > 0) return {tiles_step(job)};
     std::vector<Step> steps = stage_steps(job);
     steps.push_back(export_step(job));
     if (job.request.solid) steps.push_back(solid_step(job));

@@ -104,6 +104,16 @@ Terrain Land::made(int stage, const Explain* explain) {
     return terrain;
 }
 
+Field<float> Land::tile(int x, int y, int width, int height, Progress& progress) const {
+    const config::StageSpec& spec = spec_.stages.front();
+    return cydonia::tile(spec.options, {width_, height_, spacing_},
+                         {.seed = seed_of_stage(spec_, 0),
+                          .cast = cast,
+                          .progress = &progress,
+                          .cache = cache_},
+                         x, y, width, height);
+}
+
 fs::path Land::cached(int stage) const { return cached_terrain(cache_, key(stage)); }
 
 }  // namespace cydonia

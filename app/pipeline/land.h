@@ -21,6 +21,7 @@ class Land {
     int stages() const { return static_cast<int>(spec_.stages.size()); }
     int width() const { return width_; }  // samples, west to east
     int height() const { return height_; }
+    double spacing() const { return spacing_; }  // metres
 
     // A hash of everything that the land after `stage` stages is made from.
     std::uint64_t key(int stage) const { return keys_[static_cast<std::size_t>(stage)]; }
@@ -31,6 +32,9 @@ class Land {
     const Terrain& finished() { return after(stages()); }
     // The same, made anew, so that the stage shows how it came to it.
     const Terrain& explained(int stage, const Explain& explain);
+
+    // Of a land in tiles: width x height of its heights, from column x and row y on.
+    Field<float> tile(int x, int y, int width, int height, Progress& progress) const;
 
   private:
     // Without `explain` from the cache, if it is there.

@@ -19,7 +19,8 @@ constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMega = 1'000'000;
 constexpr std::uint64_t kProgram = 175 * kMega;  // code, libraries, thread pools
 constexpr std::uint64_t kPasses = 268 * kMega;   // remembered of a stage, at most
-constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
+constexpr std::uint64_t kMostModel = std::uint64_t{16384} * 16384;  // cells
+constexpr std::uint64_t kPovray = 40 * kMega;                       // the same of POV-Ray
 
 // The first number of a file such as the kernel's accounts; unlimited when there is none
 // ("max").
@@ -65,6 +66,13 @@ std::uint64_t ground_pixels(std::uint64_t cells) {
     return std::max(cells, std::min(16 * cells, std::uint64_t{4096} * 4096));
 }
 
+std::uint64_t exemplar_cells(const texture::Options& options) {
+    std::uint64_t cells = 0;
+    for (const texture::Exemplar& e : options.exemplars)
+        cells += std::min(kMostModel, samples_of_dem(e.source).value_or(e.source.size));
+    return cells;
+}
+
 // A picture's own pixels, and those that a drawing or two tones of it are drawn with.
 std::uint64_t of_image(const pareidolia::ImageOptions& image, std::uint64_t cells) {
     constexpr std::uint64_t kFinest = std::uint64_t{4096} * 4096;
@@ -90,12 +98,14 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         }
         // The model is read whole; our own exr files pack a height into a byte at best.
         std::uint64_t operator()(const dem::Options& o) const {
-            constexpr std::uint64_t kMost = std::uint64_t{16384} * 16384;
-            return 24 *
-                       std::min(kMost, samples_of_dem(o.source).value_or(o.source.size)) +
+            return 24 * std::min(kMostModel,
+                                 samples_of_dem(o.source).value_or(o.source.size)) +
                    16 * cells;
         }
-        std::uint64_t operator()(const texture::Options&) const { return 100 * cells; }
+        // The exemplars as they are kept, and what is synthesised.
+        std::uint64_t operator()(const texture::Options& o) const {
+            return 43 * exemplar_cells(o) + (o.coherent ? 112 : 80) * cells;
+        }
         // Reading an image comes before solving for all of them.
         std::uint64_t operator()(const pareidolia::Options& o) const {
             // Rows of light follow the mesh with up to four samples a cell.
@@ -107,6 +117,15 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         }
     };
     return kProgram + std::visit(Bytes{cells, threads}, options);
+}
+
+std::uint64_t of_tile(const StageOptions& options, int width, int height,
+                      std::uint64_t threads) {
+    constexpr std::uint64_t kAround = 2 * 128;  // what a tile's cells depend on
+    constexpr std::uint64_t kPicture = 64 * kMega;
+    const std::uint64_t w = static_cast<std::uint64_t>(width) + kAround;
+    const std::uint64_t h = static_cast<std::uint64_t>(height) + kAround;
+    return of_stage(options, w * h, threads) + 16 * w * h + kPicture;
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }

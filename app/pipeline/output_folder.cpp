@@ -12,7 +12,7 @@
 
 namespace cydonia {
 
-OutputFolder::OutputFolder(const std::filesystem::path& path) {
+OutputFolder::OutputFolder(const std::filesystem::path& path, Claim claim) {
     make_folder(path / ".cache");
     // Writing a few bytes tells a full or read-only file system before hours of work do.
     write_text(path / ".cache" / "README",
@@ -21,7 +21,7 @@ OutputFolder::OutputFolder(const std::filesystem::path& path) {
     const std::string lock = (path / ".cache" / "lock").string();
     lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
     if (lock_ < 0) throw failure("{}: {}", lock, std::strerror(errno));
-    if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    if (flock(lock_, (claim == Claim::kShared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
         close(lock_);
         throw failure("{}: another cydonia is at work in this folder", path.string());
     }

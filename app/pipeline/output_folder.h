@@ -8,7 +8,9 @@ namespace cydonia {
 // a file, cannot be written, is full, or another run is at work in it.
 class OutputFolder {
   public:
-    explicit OutputFolder(const std::filesystem::path& path);
+    // Processes that share it write files of different names.
+    enum class Claim { kAlone, kShared };
+    explicit OutputFolder(const std::filesystem::path& path, Claim claim = Claim::kAlone);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;

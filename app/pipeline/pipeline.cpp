@@ -11,6 +11,7 @@
 #include "app/pipeline/manifest.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/output_folder.h"
+#include "app/pipeline/tiles.h"
 #include "app/threads.h"
 #include "field/files.h"
 
@@ -83,6 +84,7 @@ void print_plan(const std::vector<PlannedStep>& plan, const Job& job) {
         fmt::print("  {:<24} {}\n", p.step->name,
                    p.finished ? "done" : "to do " + bytes_text(p.step->memory));
     }
+    if (job.spec.terrain.tiles > 0) fmt::print("  {}\n", tiles_text(job));
     fmt::print("memory: {} at most, {} available\n", bytes_text(predicted_peak(plan)),
                bytes_text(memory::available()));
 }
@@ -110,6 +112,8 @@ void write_manifest(const std::vector<Step>& steps, const Job& job) {
 }
 
 void make_here(Job& job, Goal goal) {
+    check_request(job, goal);
+    if (job.request.tile && !job.request.dry_run) return make_tile(job);
     const std::vector<Step> steps = steps_of(job);
     const std::vector<PlannedStep> plan = plan_of(steps, goal, job.ledger);
     if (job.request.dry_run) return print_plan(plan, job);

@@ -16,6 +16,7 @@ namespace cydonia::config {
 struct TerrainSpec {
     double width = 5120.0, depth = 5120.0;  // metres, west to east and south to north
     int samples = 512;                      // along the longer side; cells are square
+    int tiles = 0;  // made in parts of so many samples a side; 0: made whole
 };
 
 struct StageSpec {

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "config/reader/readers.h"
 
@@ -22,6 +25,28 @@ constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
 };
 
 constexpr std::size_t kMostStages = 64;
+constexpr int kMostSamples = 16384;
+constexpr int kMostTiledSamples = 65536;
+constexpr int kMostTiles = 64;  // a side
+
+// Land of more samples than memory holds.
+void check_tiles(Table& t, const TerrainSpec& terrain,
+                 const std::vector<StageSpec>& stages) {
+    const auto [samples, tiles] = std::pair(terrain.samples, terrain.tiles);
+    t.check(samples <= kMostSamples || tiles > 0, {"samples"},
+            fmt::format("more than {} samples are made in tiles: add tiles = 2048",
+                        kMostSamples));
+    if (tiles == 0) return;
+    t.check(tiles % 256 == 0, {"tiles"}, "must be a multiple of 256");
+    t.check(samples <= kMostTiles * tiles, {"tiles"},
+            fmt::format("at most {} a side: let them have {} samples or more", kMostTiles,
+                        (samples - 1) / kMostTiles / 256 * 256 + 256));
+    t.check(stages.size() <= 1, {"tiles"}, "land in tiles has one stage");
+    if (stages.size() != 1) return;
+    const std::string_view reason = whole_because(stages[0].options);
+    t.check(reason.empty(), {"tiles"},
+            fmt::format("this stage's land cannot be made in tiles: {}", reason));
+}
 
 }  // namespace
 
@@ -39,7 +64,8 @@ void read(Table& t, TerrainTable& out) {
     auto& [terrain, stages] = out;
     std::array<double, 2> extent{terrain.width, terrain.depth};
     t.field("extent", extent, Number{above_to(0.0, 1e7)});
-    t.field("samples", terrain.samples, Whole{2, 16384});
+    t.field("samples", terrain.samples, Whole{2, kMostTiledSamples});
+    t.field("tiles", terrain.tiles, Whole{0, 8192});
     const auto [shorter, longer] = std::minmax(extent[0], extent[1]);
     t.check(terrain.samples * shorter >= 2.0 * longer, {"extent", "samples"},
             "too narrow: the shorter side would have less than 2 samples");
@@ -47,6 +73,7 @@ void read(Table& t, TerrainTable& out) {
     terrain.depth = extent[1];
     t.tables("stage", stages, kMostStages);
     t.check(!stages.empty(), {"stage"}, "a scene needs at least one [[terrain.stage]]");
+    check_tiles(t, terrain, stages);
 }
 
 }  // namespace cydonia::config
