@@ -47,10 +47,20 @@ void MadeDatabase::describe(const Lands& lands) {
     unit = (double(highest) - lowest) / 60000.0;
 }
 
+void refuse_landless(const LevelArrays& level, const std::vector<std::string>& names) {
+    for (std::size_t e = 0; e < names.size(); ++e)
+        if (places_of(level, level.sheets[e]) == 0)
+            throw bad_request(
+                "{}: voids leave no land to take from it, no 5x5 cells are without any; "
+                "fill them first, or remove it",
+                names[e]);
+}
+
 void MadeDatabase::add_pyramid(const Lands& lands, const Options& options,
                                Progress& progress) {
     const HeightScale scale{0.5 * (double(lowest) + highest), unit};
     pyramid_ = pyramid_of(lands.all, options.levels + 1);
+    refuse_landless(pyramid_.front(), names);
     for (std::size_t i = pyramid_.size(); i-- > 0;) {
         LevelArrays& level = pyramid_[i];
         add_appearance(level, modes_of(level), scale);

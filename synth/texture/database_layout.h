@@ -16,7 +16,7 @@ namespace cydonia::texture {
 struct Head {
     char magic[32];
     std::uint64_t key;       // of what it was made from
-    std::uint64_t checksum;  // of the body
+    std::uint64_t checksum;  // of all but itself
     std::uint64_t size;      // of the body, bytes
     double spacing, unit;    // as in Database
     float lowest, highest;
@@ -28,10 +28,11 @@ inline constexpr char kMagic[32] = "cydonia exemplars 1";
 inline constexpr std::size_t kAligned = 64;
 static_assert(sizeof(Head) % kAligned == 0);
 
-// The body is hashed in pieces, so that it can be on several threads.
+// The body is hashed in pieces, so that it can be on several threads, then with the head.
 inline constexpr std::size_t kPiece = std::size_t{1} << 20;
-inline std::uint64_t hash_of_pieces(const std::vector<std::uint64_t>& pieces) {
-    return XXH3_64bits(pieces.data(), pieces.size() * sizeof(std::uint64_t));
+inline std::uint64_t checksum_of(Head head, const std::vector<std::uint64_t>& pieces) {
+    head.checksum = XXH3_64bits(pieces.data(), pieces.size() * sizeof(std::uint64_t));
+    return XXH3_64bits(&head, sizeof head);
 }
 
 }  // namespace cydonia::texture

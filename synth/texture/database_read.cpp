@@ -82,14 +82,14 @@ class Reader {
     std::size_t at_ = 0;
 };
 
-std::uint64_t checksum_of(std::span<const char> body) {
+std::vector<std::uint64_t> hashes_of(std::span<const char> body) {
     std::vector<std::uint64_t> hashes(body.size() / kPiece + 1);
     parallel_for(static_cast<int>(hashes.size()), [&](int i) {
         const std::size_t first = std::size_t(i) * kPiece;
         const auto piece = body.subspan(first, std::min(kPiece, body.size() - first));
         hashes[std::size_t(i)] = XXH3_64bits(piece.data(), piece.size());
     });
-    return hash_of_pieces(hashes);
+    return hashes;
 }
 
 bool is_place(const Level& level, std::uint64_t exemplar, std::uint64_t x,
@@ -133,7 +133,7 @@ class MappedDatabase final : public Database {
         const auto body = bytes.subspan(sizeof head);
         expect(std::memcmp(head.magic, kMagic, sizeof kMagic) == 0);
         expect(head.key == key && head.size == body.size());
-        expect(head.checksum == checksum_of(body));
+        expect(head.checksum == checksum_of(head, hashes_of(body)));
         read(head, Reader(body));
     }
 

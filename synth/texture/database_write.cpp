@@ -45,7 +45,7 @@ class Body {
     }
 
     std::uint64_t size() const { return size_; }
-    std::uint64_t checksum() const { return hash_of_pieces(hashes_); }
+    const std::vector<std::uint64_t>& hashes() const { return hashes_; }
 
   private:
     std::ofstream& out_;
@@ -59,7 +59,6 @@ Head head_of(const Database& database, std::uint64_t key, const Body& body) {
     Head head{};
     std::memcpy(head.magic, kMagic, sizeof head.magic);
     head.key = key;
-    head.checksum = body.checksum();
     head.size = body.size();
     head.spacing = database.spacing;
     head.unit = database.unit;
@@ -68,6 +67,7 @@ Head head_of(const Database& database, std::uint64_t key, const Body& body) {
     head.exemplars = static_cast<std::uint32_t>(database.names.size());
     head.levels = static_cast<std::uint32_t>(database.levels.size());
     head.types = static_cast<std::uint32_t>(database.levels.front().seeds.size());
+    head.checksum = checksum_of(head, body.hashes());
     return head;
 }
 

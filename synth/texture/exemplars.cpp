@@ -31,14 +31,23 @@ Model model_of(const Exemplar& exemplar, const Options& options, Progress& progr
     return model;
 }
 
+void refuse_size(const std::string& name, double width, double height, double spacing) {
+    const std::string size =
+        fmt::format("{:.0f} x {:.0f} cells of {:.4g} m", width, height, spacing);
+    if (!(std::max(width, height) <= kLongestSide))
+        throw bad_request(
+            "{}: {}, more than {} x {}: give a larger spacing or a smaller exemplar",
+            name, size, kLongestSide, kLongestSide);
+    if (!(std::min(width, height) >= kShortestSide))
+        throw bad_request(
+            "{}: {}: an exemplar needs {} x {} at least; give a larger one or a smaller "
+            "spacing",
+            name, size, kShortestSide, kShortestSide);
+}
+
 void refuse_unusable(const std::string& name, const Model& model) {
     const Field<float>& heights = model.terrain.heights;
-    if (std::min(heights.width(), heights.height()) < kShortestSide)
-        throw bad_request(
-            "{}: {} x {} cells of {:.4g} m: an exemplar needs {} x {} at least; give a "
-            "larger one or a smaller spacing",
-            name, heights.width(), heights.height(), model.terrain.spacing, kShortestSide,
-            kShortestSide);
+    refuse_size(name, heights.width(), heights.height(), model.terrain.spacing);
     const auto [low, high] = std::ranges::minmax(heights);
     if (!(high - low > 0.0f))
         throw bad_request(
@@ -52,13 +61,8 @@ Model resampled(const std::string& name, const Model& model, double spacing) {
     const double cell = spacing / model.terrain.spacing;
     const double columns = std::floor(from.width() / cell + 1e-6);
     const double rows = std::floor(from.height() / cell + 1e-6);
-    if (!(std::max(columns, rows) <= kLongestSide))
-        throw bad_request(
-            "{}: {:.0f} x {:.0f} cells of {:.4g} m, more than {} x {}: give a larger "
-            "spacing or a smaller exemplar",
-            name, columns, rows, spacing, kLongestSide, kLongestSide);
-    const int width = std::max(1, static_cast<int>(columns));
-    const int height = std::max(1, static_cast<int>(rows));
+    refuse_size(name, columns, rows, spacing);
+    const int width = static_cast<int>(columns), height = static_cast<int>(rows);
     const SampleGrid grid{0.5 * (from.width() - cell * width),
                           0.5 * (from.height() - cell * height), cell};
     Model result;

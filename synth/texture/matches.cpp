@@ -263,7 +263,7 @@ class Search {
 void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientations,
                  Progress& progress, double begin, double end) {
     constexpr int kPasses = 2;
-    constexpr std::uint64_t kFewPairs = 100'000'000;
+    constexpr std::uint64_t kFewPairs = 10'000'000;
     Search search(level, coarser, orientations);
     const std::vector<Tile> tiles = tiles_of(level);
     const bool few = search.pairs() <= kFewPairs;

@@ -115,14 +115,9 @@ LevelArrays arrays_of(const std::vector<Layer>& layers) {
 
 // A level is of use while some exemplar has about 4x4 places on it.
 bool has_land(const LevelArrays& level) {
-    constexpr int kFewest = 16;
+    constexpr std::size_t kFewest = 16;
     return std::ranges::any_of(level.sheets, [&](const Sheet& sheet) {
-        std::ptrdiff_t places = 0;
-        for (int y = 0; y < sheet.height; ++y) {
-            const std::uint8_t* row = &level.types[sheet.index(0, y)];
-            places += sheet.width - std::count(row, row + sheet.width, kNowhere);
-        }
-        return places >= kFewest;
+        return places_of(level, sheet) >= kFewest;
     });
 }
 
@@ -148,6 +143,15 @@ std::size_t cells_of(const std::vector<Sheet>& sheets) {
     if (sheets.empty()) return 0;
     const Sheet& last = sheets.back();
     return last.index(last.width - 1 + kGuard, last.height - 1 + kGuard) + 1;
+}
+
+std::size_t places_of(const LevelArrays& level, const Sheet& sheet) {
+    std::ptrdiff_t places = 0;
+    for (int y = 0; y < sheet.height; ++y) {
+        const std::uint8_t* row = &level.types[sheet.index(0, y)];
+        places += sheet.width - std::count(row, row + sheet.width, kNowhere);
+    }
+    return static_cast<std::size_t>(places);
 }
 
 Level LevelArrays::view() const {

@@ -58,6 +58,9 @@ std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most);
 template <class T>
 void fill_guard(const Sheet& sheet, std::vector<T>& values);
 
+// How many cells of a sheet land can be taken from.
+std::size_t places_of(const LevelArrays& level, const Sheet& sheet);
+
 // Up to kSeeds places of each of so many types, evenly over its land.
 void sow(LevelArrays& level, int types);
 
