@@ -24,12 +24,10 @@ std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
     }
     std::sort(knots.begin(), knots.end(),
               [](const Knot& a, const Knot& b) { return a.at < b.at; });
-    knots.erase(std::unique(knots.begin(), knots.end(),
-                            [](const Knot& a, const Knot& b) {
-                                return b.at - a.at < 1e-6 &&
-                                       (a.value == 0.0 || b.value == 0.0);
-                            }),
-                knots.end());
+    knots.erase(
+        std::unique(knots.begin(), knots.end(),
+                    [](const Knot& a, const Knot& b) { return b.at - a.at < 1e-6; }),
+        knots.end());
     return knots;
 }
 

@@ -213,6 +213,25 @@ TEST(TextureGeometry, SmoothCurvesPassTheirPoints) {
     }
 }
 
+// Outside a corner the nearest point is the corner itself, which lies on two lines.
+TEST(TextureGeometry, CornersKeepTheirSides) {
+    const TemporaryFolder folder;
+    Curve c = curve({}, 100.0);
+    c.gradient = {1.0, -1.0};
+    c.drawing = open_source(
+        folder.with("a.svg",
+                    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2560 1280'>"
+                    "<path d='M300 975L600 375L900 975L1200 375L1500 975'/></svg>"));
+    const Made made(with({c}));
+    const double d = std::hypot(15.0, 10.0);
+    for (double side : {-15.0, 15.0}) {
+        // Beyond a peak is left of the way, below a valley right.
+        EXPECT_NEAR(pull_at(made.geometry, 600 + side, 915, 0).target, 100.0 + d, 1e-3);
+        EXPECT_NEAR(pull_at(made.geometry, 900 + side, 295, 0).target, 100.0 - d, 1e-3);
+        EXPECT_NEAR(pull_at(made.geometry, 1200 + side, 915, 0).target, 100.0 + d, 1e-3);
+    }
+}
+
 // Around an end the sides run into each other.
 TEST(TextureGeometry, AnEndIsRoundedFromSideToSide) {
     Curve c = curve({place(300, 605), place(1005, 605)}, 100.0);
@@ -377,7 +396,7 @@ TEST(TextureGeometry, AnEndOnAnotherCurveIsAJunction) {
 TEST(TextureGeometry, TwoPointsAtOnePlaceTheEarlierWins) {
     const Made made(
         with({named("c", curve({place(705, 100), place(705, 1000)}, 60.0))},
-             {point("first", 705, 605, 90.0), point("second", 707, 606, 20.0)}));
+             {point("first", 705, 605, 90.0), point("second", 707, 606, 82.0)}));
     ASSERT_EQ(made.warnings.all.size(), 2u);
     EXPECT_NE(made.warnings.all[0].find("'first' comes first"), std::string::npos);
     for (const auto& site : made.geometry.sites())

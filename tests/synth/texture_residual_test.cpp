@@ -85,6 +85,21 @@ TEST(TextureResidual, OneLineIsLiftedLikeABell) {
     EXPECT_EQ(land(60, row - 9), 0.0f);
 }
 
+// A crest that rises and falls by 200 m over 30 cells.
+TEST(TextureResidual, ACrestIsFollowedUpAndDown) {
+    Options options;
+    Curve c;
+    c.points = {place(0, 485), place(1200, 485)};
+    for (int k = 0; k <= 8; ++k)
+        c.handles.push_back({k / 8.0, k % 2 ? 300.0 : 100.0, {}, {}});
+    options.curves.push_back(c);
+    SilentProgress progress;
+    const Geometry geometry(
+        options, kGround, [](double, double) { return 0.0; }, progress);
+    const auto land = corrected(geometry, Field<float>(kWidth, kHeight, 0.0f), 2);
+    EXPECT_LT(constraint_errors(geometry, land, kCell).all.rms, 4.0);
+}
+
 // Two lines ten cells apart; by bells alone the land between them bends by 115 m.
 TEST(TextureResidual, NoCreaseBetweenTwoLines) {
     Options options;
