@@ -12,10 +12,10 @@ namespace {
 
 using Docs = SceneFile;
 
-std::string manual() {
-    return read_text(std::filesystem::path(CYDONIA_SOURCE_DIR) / "docs" /
-                     "scene-file.md");
+std::string page(const char* name) {
+    return read_text(std::filesystem::path(CYDONIA_SOURCE_DIR) / "docs" / name);
 }
+std::string manual() { return page("scene-file.md"); }
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream in(text);
@@ -168,16 +168,46 @@ TEST_F(Docs, DefaultsAreTheStructs) {
     }
 }
 
-TEST_F(Docs, WorkedExamplesRead) {
-    const std::string text = manual(), fence = "```toml\n";
-    for (const char* name : {"andes.tif"}) std::ofstream(folder_ / name) << "a file";
-    int examples = 0;
-    for (auto at = text.find(fence); at != text.npos; at = text.find(fence, at)) {
+// The ```toml blocks of a page.
+std::vector<std::string> examples_of(const std::string& page) {
+    const std::string fence = "```toml\n";
+    std::vector<std::string> examples;
+    for (auto at = page.find(fence); at != page.npos; at = page.find(fence, at)) {
         at += fence.size();
-        EXPECT_EQ(complaint(text.substr(at, text.find("```", at) - at)), "");
-        ++examples;
+        examples.push_back(page.substr(at, page.find("```", at) - at));
     }
-    EXPECT_EQ(examples, 3);
+    return examples;
+}
+
+TEST_F(Docs, WorkedExamplesRead) {
+    for (const char* name : {"andes.tif"}) std::ofstream(folder_ / name) << "a file";
+    const auto examples = examples_of(manual());
+    for (const std::string& example : examples) EXPECT_EQ(complaint(example), "");
+    EXPECT_EQ(examples.size(), 3u);
+}
+
+// Those that are parts of a texture stage too, which then is made of Jacksboro.
+TEST_F(Docs, YourOwnMountainsRead) {
+    const auto home = folder_ / "home";
+    std::filesystem::create_directories(folder_ / "dems");
+    std::filesystem::create_directories(home / "dems" / "alps");
+    setenv("HOME", home.c_str(), 1);
+    for (const char* name :
+         {"dems/valley.tif", "dems/massif.tif", "massif-types.png", "paint.png",
+          "paint.svg", "keep.png", "home/dems/alps/n46.tif"})
+        std::ofstream(folder_ / name) << "a file";
+    const auto examples = examples_of(page("your-own-mountains.md"));
+    for (const std::string& example : examples) {
+        std::string scene = example;
+        const auto has = [&](const char* text) {
+            return example.find(text) != example.npos;
+        };
+        if (!has("exemplar]]") && !has("exemplars ="))
+            scene = "exemplars = \"package:jacksboro\"\n" + scene;
+        if (!has("method")) scene = "[[terrain.stage]]\nmethod = \"texture\"\n" + scene;
+        EXPECT_EQ(complaint(scene), "") << example;
+    }
+    EXPECT_EQ(examples.size(), 8u);
 }
 
 }  // namespace
