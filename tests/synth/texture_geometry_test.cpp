@@ -393,6 +393,24 @@ TEST(TextureGeometry, AnEndOnAnotherCurveIsAJunction) {
     EXPECT_NEAR(site_height(made.geometry, 1000, 604), 40.0, 1e-3);
 }
 
+TEST(TextureGeometry, ARingThatIsCrossedWhereItBegins) {
+    const TemporaryFolder folder;
+    Curve ring = curve({}, 50.0, 100.0);
+    ring.drawing = open_source(
+        folder.with("ring.svg",
+                    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2560 1280'>"
+                    "<circle id='ring' cx='1000' cy='480' r='400'/></svg>"));
+    const Made made(
+        with({named("line", curve({place(1200, 800), place(1600, 800)}, 150.0)), ring}));
+    EXPECT_EQ(made.warnings.all.size(), 1u);
+    EXPECT_NEAR(site_height(made.geometry, 1400, 800), 150.0, 1e-6);
+    EXPECT_NEAR(site_height(made.geometry, 600, 800), 50.0, 1e-6);
+    EXPECT_NEAR(site_height(made.geometry, 1380, 900),
+                site_height(made.geometry, 1380, 700), 1.0);
+    for (const Pull& pull : made.geometry.pulls(whole(2)))
+        EXPECT_TRUE(std::isfinite(pull.target));
+}
+
 TEST(TextureGeometry, TwoPointsAtOnePlaceTheEarlierWins) {
     const Made made(
         with({named("c", curve({place(705, 100), place(705, 1000)}, 60.0))},
