@@ -205,6 +205,7 @@ std::int16_t in_units(std::int32_t sum) {
 
 void add_appearance(LevelArrays& level, const Modes& modes, const HeightScale& scale) {
     level.last_sign = modes.last_sign;
+    level.appearance.resize(level.heights.size());
     const std::vector<std::int32_t> quarters = quarters_of(level, scale);
     for (const Sheet& sheet : level.sheets) {
         parallel_for(sheet.height, 8, [&](int y) {

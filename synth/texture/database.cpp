@@ -21,17 +21,17 @@ class MadeDatabase final : public Database {
 
   private:
     void describe(const Lands& lands);
-    void add_pyramid(const Lands& lands, const Options& options, Progress& progress);
+    void add_pyramid(std::vector<Land> lands, const Options& options, Progress& progress);
 
     std::vector<LevelArrays> pyramid_;
 };
 
 MadeDatabase::MadeDatabase(const Options& options, Progress& progress) {
     progress.step("texture: reading the exemplars");
-    const Lands lands = lands_of(options, progress);
+    Lands lands = lands_of(options, progress);
     describe(lands);
     progress.step("texture: searching the exemplars for places that look alike");
-    add_pyramid(lands, options, progress);
+    add_pyramid(std::move(lands.all), options, progress);
 }
 
 void MadeDatabase::describe(const Lands& lands) {
@@ -56,10 +56,10 @@ void refuse_landless(const LevelArrays& level, const std::vector<std::string>& n
                 names[e]);
 }
 
-void MadeDatabase::add_pyramid(const Lands& lands, const Options& options,
+void MadeDatabase::add_pyramid(std::vector<Land> lands, const Options& options,
                                Progress& progress) {
     const HeightScale scale{0.5 * (double(lowest) + highest), unit};
-    pyramid_ = pyramid_of(lands.all, options.levels + 1);
+    pyramid_ = pyramid_of(std::move(lands), options.levels + 1);
     refuse_landless(pyramid_.front(), names);
     for (std::size_t i = pyramid_.size(); i-- > 0;) {
         LevelArrays& level = pyramid_[i];

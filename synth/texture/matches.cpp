@@ -8,17 +8,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <span>
+#include <utility>
 
 #include "field/parallel.h"
 #include "field/random.h"
-#include "synth/texture/neighbourhood.h"
+#include "synth/texture/best_match.h"
 
 namespace cydonia::texture {
 namespace {
-
-constexpr float kNone = std::numeric_limits<float>::infinity();
 
 std::span<const int> turns_of(int orientations) {
     static constexpr int kAll[] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -27,12 +25,14 @@ std::span<const int> turns_of(int orientations) {
     return std::span(kAll).first(std::size_t(orientations));
 }
 
+// Tiles are scanned alone, each seeing the others as they were before the pass.
 struct Tile {
     int exemplar;
     int x0, y0, x1, y1;
+
+    bool contains(int x, int y) const { return x >= x0 && y >= y0 && x < x1 && y < y1; }
 };
 
-// Tiles are scanned alone, each seeing the others as they were before the pass.
 std::vector<Tile> tiles_of(const LevelArrays& level) {
     constexpr int kSide = 64;
     std::vector<Tile> tiles;
@@ -46,13 +46,18 @@ std::vector<Tile> tiles_of(const LevelArrays& level) {
     return tiles;
 }
 
+std::uint64_t cells_without_guard(const LevelArrays& level) {
+    std::uint64_t cells = 0;
+    for (const Sheet& sheet : level.sheets) cells += sheet.cells();
+    return cells;
+}
+
 // Places of the level, evenly and as many as are well searched.
 std::vector<Sample> samples_of(const LevelArrays& level, const TraitSpace& space) {
-    constexpr std::size_t kMost = 4'000'000;
-    std::size_t cells = 0;
-    for (const Sheet& sheet : level.sheets) cells += sheet.cells();
+    constexpr std::uint64_t kMost = 4'000'000;
+    const std::uint64_t cells = cells_without_guard(level);
     int step = 1;
-    while (cells / std::size_t(step * step) > kMost) ++step;
+    while (cells / std::uint64_t(step * step) > kMost) ++step;
     std::vector<Sample> samples;
     for (int e = 0; e < static_cast<int>(level.sheets.size()); ++e) {
         const Sheet& sheet = level.sheets[std::size_t(e)];
@@ -67,64 +72,143 @@ std::vector<Sample> samples_of(const LevelArrays& level, const TraitSpace& space
     return samples;
 }
 
+float squared_distance(const Traits& a, const Traits& b) {
+    float sum = 0.0f;
+    for (std::size_t k = 0; k < kTraits; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    return sum;
+}
+
+// Whatever there is.
+void try_all(BestMatch& best, const LevelArrays& level, std::span<const int> turns) {
+    for (int e = 0; e < static_cast<int>(level.sheets.size()); ++e) {
+        const Sheet& sheet = level.sheets[std::size_t(e)];
+        for (int y = kBorder; y < sheet.height - kBorder; ++y)
+            for (int x = kBorder; x < sheet.width - kBorder; ++x)
+                for (int o : turns) best.consider(e, x, y, o);
+    }
+}
+
+// The two of a leaf that are nearest by their traits.
+void try_alike(BestMatch& best, int orientation, const TraitSpace& space,
+               const AlikeTree& tree) {
+    const Traits traits = space.traits_of(best.wanted(orientation));
+    const Sample *nearest = nullptr, *second = nullptr;
+    float least = kNoMatch, less = kNoMatch;
+    for (const Sample& sample : tree.around(traits)) {
+        const float distance = squared_distance(sample.traits, traits);
+        if (distance >= less) continue;
+        if (!best.allowed(int(sample.exemplar), sample.x, sample.y)) continue;
+        if (distance < least) {
+            second = std::exchange(nearest, &sample);
+            less = std::exchange(least, distance);
+        } else {
+            second = &sample;
+            less = distance;
+        }
+    }
+    for (const Sample* s : {nearest, second})
+        if (s) best.consider(int(s->exemplar), s->x, s->y, orientation);
+}
+
+// The four cells of a coarse one go on to the four of its match, turned with it.
+void try_coarser(BestMatch& best, const LevelArrays& coarser) {
+    const Sheet& sheet = coarser.sheets[std::size_t(best.exemplar)];
+    const int x = std::min(best.x / 2, sheet.width - 1);
+    const int y = std::min(best.y / 2, sheet.height - 1);
+    const Match& m = coarser.matches[sheet.index(x, y)];
+    const Step from_middle =  // in halves of a cell
+        turned(m.orientation, {2 * (best.x - 2 * x) - 1, 2 * (best.y - 2 * y) - 1});
+    best.consider(m.exemplar, 2 * m.x + (from_middle.x + 1) / 2,
+                  2 * m.y + (from_middle.y + 1) / 2, m.orientation);
+}
+
+// Where a neighbour's match has its neighbour on this side.
+void try_beside(BestMatch& best, Step towards, const Match& neighbours) {
+    const Step back = turned(neighbours.orientation, {-towards.x, -towards.y});
+    best.consider(neighbours.exemplar, neighbours.x + back.x, neighbours.y + back.y,
+                  neighbours.orientation);
+}
+
+// Around the best so far.
+void try_around(BestMatch& best, int pass) {
+    int draw = 0;
+    for (int radius : {8, 2, 1}) {
+        const std::uint64_t h =
+            hash_of({key("around"), std::uint64_t(best.exemplar), std::uint64_t(best.x),
+                     std::uint64_t(best.y), std::uint64_t(16 * pass + draw++)});
+        const int span = 2 * radius + 1;
+        const int dx = static_cast<int>((h >> 8 & 0xffff) % span) - radius;
+        const int dy = static_cast<int>((h >> 24 & 0xffff) % span) - radius;
+        const Match m = best.match();
+        best.consider(m.exemplar, m.x + dx, m.y + dy, m.orientation);
+    }
+}
+
+// For tiny levels, where nothing is far enough away.
+Match farthest_place(const LevelArrays& level, int from_x, int from_y) {
+    Match match;
+    int farthest = -1;
+    for (std::size_t e = 0; e < level.sheets.size(); ++e) {
+        const Sheet& sheet = level.sheets[e];
+        for (int y = 0; y < sheet.height; ++y)
+            for (int x = 0; x < sheet.width; ++x) {
+                if (level.types[sheet.index(x, y)] == kNowhere) continue;
+                const int dx = x - from_x, dy = y - from_y;
+                if (dx * dx + dy * dy <= farthest) continue;
+                farthest = dx * dx + dy * dy;
+                match = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                         static_cast<std::uint8_t>(e), 0};
+            }
+    }
+    return match;
+}
+
+// The matches of a level, as they get better.
 class Search {
   public:
-    Search(const LevelArrays& level, const LevelArrays* coarser, int orientations)
+    Search(const LevelArrays& level, std::span<const int> turns)
         : level_(level),
-          coarser_(coarser),
-          turns_(turns_of(orientations)),
+          turns_(turns),
           matches_(level.heights.size()),
-          scores_(level.heights.size(), kNone) {
-        for (const Sheet& sheet : level.sheets) cells_ += sheet.cells();
-    }
-
-    std::uint64_t pairs() const { return cells_ * cells_ * turns_.size(); }
+          scores_(level.heights.size(), kNoMatch) {}
 
     void exhaustive(const Tile& tile) {
-        each_cell(tile, false, [&](Cell& cell) { try_all(cell); });
+        each_cell(tile, false, [&](BestMatch& best) { try_all(best, level_, turns_); });
     }
-    void start(const Tile& tile, const TraitSpace& space, const AlikeTree& tree) {
-        each_cell(tile, false, [&](Cell& cell) {
-            if (coarser_) try_coarser(cell);
-            for (int o : turns_) try_alike(cell, o, space, tree);
+    void start(const Tile& tile, const LevelArrays* coarser, const TraitSpace& space,
+               const AlikeTree& tree) {
+        each_cell(tile, false, [&](BestMatch& best) {
+            if (coarser) try_coarser(best, *coarser);
+            for (int o : turns_) try_alike(best, o, space, tree);
         });
     }
+    void before_pass() { before_ = matches_; }
     void pass(const Tile& tile, int number) {
-        const bool backwards = number % 2 == 1;
-        each_cell(tile, backwards, [&](Cell& cell) {
-            const int back = backwards ? 1 : -1;
-            try_beside(cell, {back, 0}, tile);
-            try_beside(cell, {0, back}, tile);
-            try_around(cell, number);
+        const Sheet& sheet = level_.sheets[std::size_t(tile.exemplar)];
+        const int back = number % 2 == 1 ? 1 : -1;
+        each_cell(tile, number % 2 == 1, [&](BestMatch& best) {
+            for (const Step step : {Step{back, 0}, Step{0, back}}) {
+                const int x = best.x + step.x, y = best.y + step.y;
+                if (x < 0 || y < 0 || x >= sheet.width || y >= sheet.height) continue;
+                const auto& known = tile.contains(x, y) ? matches_ : before_;
+                try_beside(best, step, known[sheet.index(x, y)]);
+            }
+            try_around(best, number);
         });
     }
-    void between_passes() { before_ = matches_; }
-    // Where nothing was far enough away (tiny levels) the farthest place.
-    void finish(const Tile& tile) {
-        each_cell(tile, false, [&](Cell& cell) {
-            if (cell.score == kNone) take_farthest(cell);
-        });
-    }
-    std::vector<Match> taken() { return std::move(matches_); }
-
-    float best(int exemplar, int x, int y) const {
-        Match match;
-        float score = kNone;
-        Cell cell{exemplar, x, y, match, score, {}};
-        for (int o : turns_)
-            cell.wanted[std::size_t(o)] = wanted_view(level_, exemplar, x, y, o);
-        try_all(cell);
-        return score;
+    std::vector<Match> taken() {
+        for (int e = 0; e < static_cast<int>(level_.sheets.size()); ++e) {
+            const Sheet& sheet = level_.sheets[std::size_t(e)];
+            for (int y = 0; y < sheet.height; ++y)
+                for (int x = 0; x < sheet.width; ++x)
+                    if (const auto i = sheet.index(x, y); scores_[i] == kNoMatch)
+                        matches_[i] = farthest_place(level_, x, y);
+            fill_guard(sheet, matches_);
+        }
+        return std::move(matches_);
     }
 
   private:
-    struct Cell {
-        int exemplar, x, y;
-        Match& match;
-        float& score;
-        View wanted[8];
-    };
-
     template <class Visit>
     void each_cell(const Tile& tile, bool backwards, const Visit& visit) {
         const Sheet& sheet = level_.sheets[std::size_t(tile.exemplar)];
@@ -133,129 +217,16 @@ class Search {
             const int at = backwards ? count - 1 - i : i;
             const int x = tile.x0 + at % width, y = tile.y0 + at / width;
             const std::size_t index = sheet.index(x, y);
-            Cell cell{tile.exemplar, x, y, matches_[index], scores_[index], {}};
-            for (int o : turns_)
-                cell.wanted[std::size_t(o)] = wanted_view(level_, tile.exemplar, x, y, o);
-            visit(cell);
-        }
-    }
-
-    bool allowed(const Cell& cell, int exemplar, int x, int y) const {
-        const Sheet& sheet = level_.sheets[std::size_t(exemplar)];
-        if (x < 0 || y < 0 || x >= sheet.width || y >= sheet.height) return false;
-        const int dx = x - cell.x, dy = y - cell.y;
-        if (exemplar == cell.exemplar && dx * dx + dy * dy <= kFarEnough) return false;
-        return level_.types[sheet.index(x, y)] != kNowhere;
-    }
-
-    void consider(Cell& cell, int exemplar, int x, int y, int orientation) const {
-        if (!allowed(cell, exemplar, x, y)) return;
-        const Sheet& sheet = level_.sheets[std::size_t(exemplar)];
-        const float score =
-            unlikeness(cell.wanted[orientation], &level_.appearance[sheet.index(x, y)],
-                       sheet.stride);
-        if (score >= cell.score) return;
-        cell.score = score;
-        cell.match = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                      static_cast<std::uint8_t>(exemplar),
-                      static_cast<std::uint8_t>(orientation)};
-    }
-
-    void try_all(Cell& cell) const {
-        for (int e = 0; e < static_cast<int>(level_.sheets.size()); ++e) {
-            const Sheet& sheet = level_.sheets[std::size_t(e)];
-            for (int y = kBorder; y < sheet.height - kBorder; ++y)
-                for (int x = kBorder; x < sheet.width - kBorder; ++x)
-                    for (int o : turns_) consider(cell, e, x, y, o);
-        }
-    }
-
-    // The two of a leaf that are nearest by their traits.
-    void try_alike(Cell& cell, int orientation, const TraitSpace& space,
-                   const AlikeTree& tree) const {
-        const Traits traits = space.traits_of(cell.wanted[orientation]);
-        const Sample *nearest = nullptr, *second = nullptr;
-        float least = kNone, less = kNone;
-        for (const Sample& sample : tree.around(traits)) {
-            float distance = 0.0f;
-            for (std::size_t k = 0; k < kTraits; ++k)
-                distance +=
-                    (sample.traits[k] - traits[k]) * (sample.traits[k] - traits[k]);
-            if (distance >= less) continue;
-            if (!allowed(cell, int(sample.exemplar), sample.x, sample.y)) continue;
-            if (distance < least) {
-                second = std::exchange(nearest, &sample);
-                less = std::exchange(least, distance);
-            } else {
-                second = &sample;
-                less = distance;
-            }
-        }
-        for (const Sample* s : {nearest, second})
-            if (s) consider(cell, int(s->exemplar), s->x, s->y, orientation);
-    }
-
-    // The four cells of a coarse one go on to the four of its match, turned with it.
-    void try_coarser(Cell& cell) const {
-        const Sheet& sheet = coarser_->sheets[std::size_t(cell.exemplar)];
-        const int cx = std::min(cell.x / 2, sheet.width - 1);
-        const int cy = std::min(cell.y / 2, sheet.height - 1);
-        const Match& m = coarser_->matches[sheet.index(cx, cy)];
-        const Step from_middle =  // in halves of a cell
-            turned(m.orientation, {2 * (cell.x - 2 * cx) - 1, 2 * (cell.y - 2 * cy) - 1});
-        consider(cell, m.exemplar, 2 * m.x + (from_middle.x + 1) / 2,
-                 2 * m.y + (from_middle.y + 1) / 2, m.orientation);
-    }
-
-    void try_beside(Cell& cell, Step towards, const Tile& tile) const {
-        const int x = cell.x + towards.x, y = cell.y + towards.y;
-        const Sheet& sheet = level_.sheets[std::size_t(cell.exemplar)];
-        if (x < 0 || y < 0 || x >= sheet.width || y >= sheet.height) return;
-        const bool here = x >= tile.x0 && y >= tile.y0 && x < tile.x1 && y < tile.y1;
-        const Match& m = (here ? matches_ : before_)[sheet.index(x, y)];
-        const Step back = turned(m.orientation, {-towards.x, -towards.y});
-        consider(cell, m.exemplar, m.x + back.x, m.y + back.y, m.orientation);
-    }
-
-    void try_around(Cell& cell, int pass) const {
-        int draw = 0;
-        for (int radius : {8, 2, 1}) {
-            const std::uint64_t h = hash_of({key("around"), std::uint64_t(cell.exemplar),
-                                             std::uint64_t(cell.x), std::uint64_t(cell.y),
-                                             std::uint64_t(16 * pass + draw++)});
-            const int span = 2 * radius + 1;
-            const int dx = static_cast<int>((h >> 8 & 0xffff) % span) - radius;
-            const int dy = static_cast<int>((h >> 24 & 0xffff) % span) - radius;
-            const Match m = cell.match;
-            consider(cell, m.exemplar, m.x + dx, m.y + dy, m.orientation);
-        }
-    }
-
-    void take_farthest(Cell& cell) const {
-        int farthest = -1;
-        for (std::size_t e = 0; e < level_.sheets.size(); ++e) {
-            const Sheet& sheet = level_.sheets[e];
-            for (int y = 0; y < sheet.height; ++y)
-                for (int x = 0; x < sheet.width; ++x) {
-                    if (level_.types[sheet.index(x, y)] == kNowhere) continue;
-                    const int dx = x - cell.x, dy = y - cell.y;
-                    const int distance = dx * dx + dy * dy;
-                    if (distance <= farthest) continue;
-                    farthest = distance;
-                    cell.match = {static_cast<std::uint16_t>(x),
-                                  static_cast<std::uint16_t>(y),
-                                  static_cast<std::uint8_t>(e), 0};
-                }
+            BestMatch best(level_, turns_, tile.exemplar, x, y, matches_[index],
+                           scores_[index]);
+            visit(best);
         }
     }
 
     const LevelArrays& level_;
-    const LevelArrays* coarser_;
     std::span<const int> turns_;
-    std::uint64_t cells_ = 0;
-    std::vector<Match> matches_;
+    std::vector<Match> matches_, before_;
     std::vector<float> scores_;
-    std::vector<Match> before_;
 };
 
 }  // namespace
@@ -264,15 +235,17 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
                  Progress& progress, double begin, double end) {
     constexpr int kPasses = 2;
     constexpr std::uint64_t kFewPairs = 10'000'000;
-    Search search(level, coarser, orientations);
+    const auto turns = turns_of(orientations);
+    const std::uint64_t cells = cells_without_guard(level);
+    const bool few = cells * cells * turns.size() <= kFewPairs;
+    Search search(level, turns);
     const std::vector<Tile> tiles = tiles_of(level);
-    const bool few = search.pairs() <= kFewPairs;
     const double work = double(tiles.size()) * (few ? 1 : 1 + kPasses);
     std::atomic<int> done = 0;
     const auto each_tile = [&](const auto& visit) {
         parallel_for(static_cast<int>(tiles.size()), [&](int i) {
             visit(tiles[std::size_t(i)]);
-            progress.report(begin + (end - begin) * std::min(1.0, ++done / work));
+            progress.report(begin + (end - begin) * ++done / work);
         });
     };
     if (few) {
@@ -280,15 +253,13 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
     } else {
         const TraitSpace space(level);
         const AlikeTree tree(samples_of(level, space));
-        each_tile([&](const Tile& tile) { search.start(tile, space, tree); });
+        each_tile([&](const Tile& tile) { search.start(tile, coarser, space, tree); });
         for (int pass = 0; pass < kPasses; ++pass) {
-            search.between_passes();
+            search.before_pass();
             each_tile([&](const Tile& tile) { search.pass(tile, pass); });
         }
     }
-    each_tile([&](const Tile& tile) { search.finish(tile); });
     level.matches = search.taken();
-    for (const Sheet& sheet : level.sheets) fill_guard(sheet, level.matches);
 }
 
 float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
@@ -300,7 +271,12 @@ float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
 
 float best_unlikeness(const LevelArrays& level, int exemplar, int x, int y,
                       int orientations) {
-    return Search(level, nullptr, orientations).best(exemplar, x, y);
+    Match match;
+    float score = kNoMatch;
+    const auto turns = turns_of(orientations);
+    BestMatch best(level, turns, exemplar, x, y, match, score);
+    try_all(best, level, turns);
+    return score;
 }
 
 }  // namespace cydonia::texture

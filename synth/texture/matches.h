@@ -11,12 +11,10 @@ namespace cydonia::texture {
 float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
                  const Match& match);
 
-// Squared cells between a place and its match in the same exemplar: more than this.
-inline constexpr int kFarEnough = 25;
-
-// C^i_2 (eq. 3), guards too. The same for any number of threads. `coarser`: the next
-// level, whose matches are known; null where there is none. `orientations`: 1, 2, 4 or 8.
-// Progress is reported from `begin` to `end`.
+// C^i_2 (eq. 3), guards too: of a place in the same exemplar never within 5 cells. The
+// same for any number of threads. `coarser`: the next level, whose matches are known;
+// null where there is none. `orientations`: 1, 2, 4 or 8. Progress is reported from
+// `begin` to `end`.
 void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientations,
                  Progress& progress, double begin, double end);
 

@@ -1,6 +1,7 @@
 #include "synth/texture/pyramid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "field/parallel.h"
 #include "field/random.h"
@@ -69,8 +70,9 @@ struct Layer {
     Field<std::uint8_t> types;
 };
 
-Layer first_layer(const Land& land) {
-    Layer layer{land.heights, {}, land.types};
+// Takes the heights away; types are needed for every level.
+Layer first_layer(Land& land) {
+    Layer layer{std::move(land.heights), {}, land.types};
     if (!land.voids.empty()) {
         layer.void_share = Field<float>(land.voids.width(), land.voids.height());
         std::ranges::copy(land.voids, layer.void_share.begin());
@@ -95,8 +97,6 @@ LevelArrays arrays_of(const std::vector<Layer>& layers) {
     level.sheets = sheets_of(sizes);
     const std::size_t cells = cells_of(level.sheets);
     level.heights.resize(cells);
-    level.appearance.resize(cells);
-    level.matches.resize(cells);
     level.types.resize(cells, kNowhere);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const Sheet& sheet = level.sheets[i];
@@ -160,9 +160,9 @@ Level LevelArrays::view() const {
     return level;
 }
 
-std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most) {
+std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most) {
     std::vector<Layer> layers;
-    for (const Land& land : lands) layers.push_back(first_layer(land));
+    for (Land& land : lands) layers.push_back(first_layer(land));
     std::vector<LevelArrays> pyramid{arrays_of(layers)};
     while (static_cast<int>(pyramid.size()) < std::min(most, kMostLevels)) {
         const int level = static_cast<int>(pyramid.size());

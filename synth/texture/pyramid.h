@@ -51,8 +51,8 @@ std::size_t cells_of(const std::vector<Sheet>& sheets);
 
 // E^i and T^i, each half as wide as the one before (a pyramid, not a stack: section 4),
 // with their guards: at most `most` of them, the first always, further ones while some
-// exemplar has land on them. Appearance and matches have their size only.
-std::vector<LevelArrays> pyramid_of(const std::vector<Land>& lands, int most);
+// exemplar has land on them. Appearance and matches are still empty.
+std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most);
 
 // Guard cells take what the border beside them has.
 template <class T>

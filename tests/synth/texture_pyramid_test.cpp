@@ -107,7 +107,7 @@ TEST(Pyramid, SeedsLieOnLandOfTheirType) {
     EXPECT_EQ(level.seeds[0].size(), std::size_t(kSeeds));
     EXPECT_EQ(level.seeds[1].size(), 10u * 94u);
     EXPECT_TRUE(level.seeds[2].empty());
-    int west = 0;
+    int west = 0, north = 0;
     for (std::size_t t = 0; t < 2; ++t) {
         std::set<std::uint64_t> different;
         for (const std::uint64_t seed : level.seeds[t]) {
@@ -116,10 +116,12 @@ TEST(Pyramid, SeedsLieOnLandOfTheirType) {
             EXPECT_EQ(type_at(level, x, y, 1), t);
             different.insert(seed);
             west += t == 0 && x < 52;
+            north += t == 0 && y < 50;
         }
         EXPECT_EQ(different.size(), level.seeds[t].size());
     }
     EXPECT_NEAR(west, 0.5 * kSeeds, 80);  // evenly: half of 3..99 lies west of 51.5
+    EXPECT_NEAR(north, 0.5 * kSeeds, 80);
 }
 
 }  // namespace
