@@ -26,18 +26,18 @@ std::vector<Handle> sorted_handles(const Curve& curve, const std::string& name) 
 // The Hermite curve through what `value` gives of the handles that have it; `otherwise`
 // where none has.
 template <class Value>
-Hermite through(const std::vector<Handle>& handles, double length, double period,
+Hermite through(const std::vector<Handle>& handles, double length, bool ring,
                 double otherwise, const Value& value) {
     std::vector<Knot> knots;
     for (const Handle& handle : handles)
         if (const std::optional<double> v = value(handle))
             knots.push_back({handle.at * length, *v});
     // On a ring the end is the beginning: what is asked first there holds.
-    if (period > 0.0 && knots.size() > 1 &&
-        knots.back().at - knots.front().at > (1.0 - 1e-6) * period)
+    if (ring && knots.size() > 1 &&
+        knots.back().at - knots.front().at > (1.0 - 1e-6) * length)
         knots.pop_back();
     if (knots.empty()) knots.push_back({0.0, otherwise});
-    return Hermite(std::move(knots), period);
+    return Hermite(std::move(knots), length, ring);
 }
 
 // The mean over `half` values on both sides of each, beyond the ends the last ones.
@@ -80,7 +80,7 @@ std::vector<double> natural_along(const Shape& shape, const Ground& ground,
 
 Course::Course(const Curve& curve, const std::string& name, const Shape& shape,
                const Ground& ground, const HeightAt& natural)
-    : length_(shape.length()), period_(shape.closed ? length_ : 0.0) {
+    : length_(shape.length()), ring_(shape.closed) {
     const std::vector<Handle> handles = sorted_handles(curve, name);
     const double steps = std::ceil(2.0 * length_ / ground.spacing);
     table_.resize(static_cast<std::size_t>(std::clamp(steps, 1.0, kMostSteps)) + 1);
@@ -107,7 +107,7 @@ Course::Course(const Curve& curve, const std::string& name, const Shape& shape,
 void Course::tabulate(const Curve& curve, const std::vector<Handle>& handles,
                       const Ground& ground) {
     const auto along = [&](double otherwise, const auto& value) {
-        return through(handles, length_, period_, otherwise, value);
+        return through(handles, length_, ring_, otherwise, value);
     };
     const Hermite height =
         along(curve.height, [](const Handle& handle) { return handle.height; });
@@ -142,7 +142,7 @@ Trait Course::at(double along) const {
 }
 
 void Course::bend(const std::vector<Knot>& knots) {
-    const Hermite added(knots, period_);
+    const Hermite added(knots, length_, ring_);
     for (std::size_t i = 0; i < table_.size(); ++i)
         table_[i].height += added(double(i) * step_);
 }

@@ -36,7 +36,8 @@ class Course {
     void tabulate(const Curve& curve, const std::vector<Handle>& handles,
                   const Ground& ground);
 
-    double length_, step_, period_;
+    double length_, step_;
+    bool ring_;
     std::vector<Trait> table_;
     std::vector<double> held_;
     double largest_area_ = 0.0;

@@ -19,22 +19,26 @@ double tangent(const Knot& a, const Knot& b, const Knot& c) {
 }
 
 // Two more knots on both sides, for curves that are rings.
-std::vector<Knot> wrapped(const std::vector<Knot>& knots, double period) {
+std::vector<Knot> wrapped(const std::vector<Knot>& knots, double length) {
     std::vector<Knot> all;
     for (int turn = -2; turn <= 2; ++turn)
         for (const Knot& knot : knots)
-            all.push_back({knot.at + turn * period, knot.value});
+            all.push_back({knot.at + turn * length, knot.value});
     return all;
 }
 
 }  // namespace
 
-Hermite::Hermite(std::vector<Knot> knots, double period)
-    : knots_(period > 0.0 && knots.size() > 1 ? wrapped(knots, period)
-                                              : std::move(knots)) {
-    tangents_.assign(knots_.size(), 0.0);
-    for (std::size_t i = 1; i + 1 < knots_.size(); ++i)
+Hermite::Hermite(std::vector<Knot> knots, double length, bool ring)
+    : knots_(ring && knots.size() > 1 ? wrapped(knots, length) : std::move(knots)) {
+    const std::size_t n = knots_.size();
+    tangents_.assign(n, 0.0);
+    for (std::size_t i = 1; i + 1 < n; ++i)
         tangents_[i] = tangent(knots_[i - 1], knots_[i], knots_[i + 1]);
+    if (ring || n < 2) return;
+    if (knots_[0].at <= 0.0) tangents_[0] = secant(knots_[0], knots_[1]);
+    if (knots_[n - 1].at >= length)
+        tangents_[n - 1] = secant(knots_[n - 2], knots_[n - 1]);
 }
 
 double Hermite::operator()(double at) const {

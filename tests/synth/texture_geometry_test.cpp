@@ -181,8 +181,8 @@ TEST(TextureGeometry, HandlesAreInterpolatedAlongTheCurve) {
 }
 
 TEST(TextureGeometry, HermiteKeepsBetweenItsKnots) {
-    const Hermite h({{0.0, 1.0}, {1.0, 2.0}, {4.0, 8.0}, {5.0, 3.0}});
-    EXPECT_EQ(h(-3.0), 1.0);
+    const Hermite h({{0.5, 1.0}, {1.0, 2.0}, {4.0, 8.0}, {5.0, 3.0}}, 9.0, false);
+    EXPECT_EQ(h(0.0), 1.0);
     EXPECT_EQ(h(9.0), 3.0);
     EXPECT_NEAR(h(4.0), 8.0, 1e-12);
     for (double t = 0.0; t <= 5.0; t += 0.01) {
@@ -192,9 +192,11 @@ TEST(TextureGeometry, HermiteKeepsBetweenItsKnots) {
                     (h(t + 1e-4) - h(t - 1e-4)) / 2e-4, 2e-3)
             << t;  // no bend
     }
-    const Hermite ring({{1.0, 0.0}, {6.0, 4.0}}, 10.0);
+    const Hermite ring({{1.0, 0.0}, {6.0, 4.0}}, 10.0, true);
     EXPECT_NEAR(ring(0.0), ring(10.0), 1e-12);
     EXPECT_NEAR(ring(8.5), 2.0, 1e-12);
+    const Hermite even({{0.0, 420.0}, {10.0, 260.0}}, 10.0, false);
+    for (double t = 0.0; t <= 10.0; ++t) EXPECT_NEAR(even(t), 420.0 - 16.0 * t, 1e-9);
 }
 
 TEST(TextureGeometry, SmoothCurvesPassTheirPoints) {
