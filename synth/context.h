@@ -19,11 +19,11 @@ struct Explain {
     std::function<void(const std::string& name, const std::string& csv)> table;
 };
 
-// What a stage remembers from run to run, so that a small change is a small work. Never
-// needed for the result: a run without finds the same bytes.
+// What a stage remembers from run to run: files in a format of its own, of any size. They
+// may be damaged, or of a land of other samples.
 struct Memory {
-    std::function<std::string()> recall;  // what was kept last; empty when nothing was
-    std::function<void(const std::string& bytes)> keep;
+    std::filesystem::path last;  // what the run before kept; empty or missing: nothing
+    std::filesystem::path next;  // what this run keeps goes here (field/files.h)
 };
 
 // What a stage may use besides its options and the terrain so far; owned by app/.

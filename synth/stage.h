@@ -42,6 +42,13 @@ inline Method method_of(const StageOptions& options) {
     return std::visit(Visitor{}, options);
 }
 
+// Whether a stage's land follows from what it remembers too, besides all else that it is
+// made from.
+inline bool follows_memory(const StageOptions& options) {
+    const auto* texture = std::get_if<texture::Options>(&options);
+    return texture && texture->coherent;
+}
+
 // Why the land of a stage is made whole; empty where each of its cells depends on a
 // bounded part of the plane, and tile() makes any part of it alone.
 inline std::string_view whole_because(const StageOptions& options) {

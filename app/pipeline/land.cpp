@@ -28,21 +28,6 @@ Field<std::uint8_t> cast(const Terrain& terrain, const Sun& sun, int rays) {
     return render::Caster(heights, terrain.spacing).shadow(sun, rays);
 }
 
-// A stage's memory of its last run: one file, replaced each time.
-Memory memory_in(const fs::path& file) {
-    constexpr std::size_t kMostBytes = std::size_t{512} << 20;
-    return {[file] {
-                std::error_code none;
-                const std::uintmax_t size = fs::file_size(file, none);
-                if (none || size > kMostBytes) return std::string();
-                return read_text(file, kMostBytes);
-            },
-            [file](const std::string& bytes) {
-                make_folder(file.parent_path());
-                write_text(file, bytes);
-            }};
-}
-
 std::uint64_t seed_of_stage(const config::SceneSpec& spec, int stage) {
     return hash_of({spec.seed, static_cast<std::uint64_t>(stage), key("stage")});
 }
@@ -87,21 +72,32 @@ const Terrain& Land::explained(int stage, const Explain& explain) {
 
 Terrain Land::made(int stage, const Explain* explain) {
     if (stage == 0) return {Field<float>(width_, height_), spacing_, {}, {}, {}};
-    if (!explain) {
+    StageMemory memory = memory_of(stage);
+    if (!explain && memory.is_of_last_run()) {
         if (auto terrain = load_terrain(cached(stage))) return std::move(*terrain);
     }
+    make_folder(cache_);
     const config::StageSpec& spec = spec_.stages[static_cast<std::size_t>(stage - 1)];
-    const Memory memory = memory_in(cache_ / fmt::format("stage-{}.passes", stage));
     Terrain terrain = run(spec.options, after(stage - 1),
                           {.seed = seed_of_stage(spec_, stage - 1),
                            .cast = cast,
                            .progress = &progress_,
                            .explain = explain,
-                           .memory = &memory,
+                           .memory = &memory.files(),
                            .cache = cache_});
     store_terrain(cached(stage), terrain);
+    memory.end_run();
+    forget_stages_after(cache_, stages());
     prune_terrains(cache_, kCacheBytes);
     return terrain;
+}
+
+StageMemory Land::memory_of(int stage) const {
+    const StageOptions& options =
+        spec_.stages[static_cast<std::size_t>(stage - 1)].options;
+    const std::string method(method_of(options).name);
+    return follows_memory(options) ? StageMemory(cache_, stage, method, key(stage))
+                                   : StageMemory(cache_, stage, method);
 }
 
 Field<float> Land::tile(int x, int y, int width, int height, Progress& progress) const {

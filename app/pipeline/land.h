@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/pipeline/stage_memory.h"
 #include "config/reader/scene.h"
 #include "field/progress.h"
 #include "field/terrain.h"
@@ -39,6 +40,7 @@ class Land {
   private:
     // Without `explain` from the cache, if it is there.
     Terrain made(int stage, const Explain* explain);
+    StageMemory memory_of(int stage) const;
     std::filesystem::path cached(int stage) const;
 
     const config::SceneSpec& spec_;

@@ -43,6 +43,19 @@ Json measured(const Terrain& terrain) {
             {"figures", terrain.figures}};
 }
 
+// All of them are in the manifest.
+void say_figures(const Terrain& terrain, Progress& progress) {
+    constexpr std::size_t kMost = 12;
+    std::size_t said = 0;
+    for (const auto& [name, value] : terrain.figures) {
+        if (said++ == kMost) {
+            const std::size_t left = terrain.figures.size() - kMost;
+            return progress.note(fmt::format("and {} more in manifest.json", left));
+        }
+        progress.note(fmt::format("{}: {:.4g}", name, value));
+    }
+}
+
 Made export_terrain(Job& job) {
     const Terrain& terrain = job.land.finished();
     Metadata metadata = job.metadata();
@@ -62,6 +75,7 @@ Made export_terrain(Job& job) {
         made.outputs.push_back(fmt::format("masks/{}.png", name));
         write_png(job.folder / made.outputs.back(), picture);
     }
+    say_figures(terrain, job.progress);
     return made;
 }
 

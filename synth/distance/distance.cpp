@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <system_error>
 
 #include "field/error.h"
+#include "field/files.h"
 #include "synth/distance/blend.h"
 #include "synth/distance/explain.h"
 #include "synth/distance/layout.h"
@@ -59,19 +62,26 @@ BlendOptions blend_of(const Options& options, const Graph& graph) {
     return blend;
 }
 
+std::string remembered(const Memory& memory) {
+    constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(memory.last, none);
+    return none || size > kMostBytes ? "" : read_text(memory.last, kMostBytes);
+}
+
 // Step 7, with what is remembered from the last run.
 Field<float> blended(const Options& options, const Ground& ground, const Halting& halting,
                      const std::vector<float>& approximate, Explainer* explainer,
                      const Context& context) {
     std::optional<PassMemory> memory;
-    if (context.memory) memory.emplace(ground, halting, context.memory->recall());
+    if (context.memory) memory.emplace(ground, halting, remembered(*context.memory));
     PassCounts counts;
     Field<float> heights = blended_heights(
         ground, halting, blend_of(options, ground.graph), approximate, *context.progress,
         {memory ? &*memory : nullptr, explainer}, &counts);
     if (explainer) explainer->finish();
     if (memory && counts.recalled < counts.features) {
-        context.memory->keep(memory->taken_bytes());
+        write_text(context.memory->next, memory->taken_bytes());
     }
     return heights;
 }

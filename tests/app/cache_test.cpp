@@ -23,6 +23,9 @@ Terrain small_land() {
     image.window(1, 0) = 0;
     image.given_up(2, 1) = 1;
     land.shadows = {image};
+    land.figures = {{"rim: error, m", 1.25}, {"share", -0.0}};
+    land.pictures["sources"] = Field<Rgb8>(7, 2, Rgb8{1, 2, 3});
+    land.pictures["sources"](6, 1) = {255, 0, 9};
     return land;
 }
 
@@ -49,6 +52,8 @@ TEST(Cache, GivesBackTheWholeTerrain) {
     EXPECT_EQ(back->shadows[0].min_iou, 0.9);
     EXPECT_EQ(back->shadows[0].window, land.shadows[0].window);
     EXPECT_EQ(back->shadows[0].given_up, land.shadows[0].given_up);
+    EXPECT_EQ(back->figures, land.figures);
+    EXPECT_EQ(back->pictures, land.pictures);
 }
 
 TEST(Cache, MissingFile) {
