@@ -77,7 +77,9 @@ void prune_databases(const fs::path& folder, std::uint64_t most) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none)) {
         const std::string name = entry.path().filename().string();
-        if (!name.starts_with(kPrefix) || !name.ends_with(kExtension)) continue;
+        const bool half_written = name.starts_with(fmt::format(".{}", kPrefix));
+        if (!name.starts_with(kPrefix) && !half_written) continue;
+        if (!name.ends_with(kExtension)) continue;
         kept.push_back(
             {entry.last_write_time(none), entry.file_size(none), entry.path()});
     }

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <system_error>
@@ -139,17 +140,33 @@ class MappedDatabase final : public Database {
 
   private:
     void read(const Head& head, Reader in) {
+        read_figures(head);
+        std::vector<Size> sizes = read_exemplars(head.exemplars, in);
+        for (std::uint32_t i = 0; i < head.levels; ++i) {
+            sheets_.push_back(sheets_of(sizes));
+            levels.push_back(level_of(sheets_.back(), head.types, in));
+            expect_sound(levels.back());
+            std::ranges::transform(sizes, sizes.begin(), coarser_size);
+        }
+        expect(in.at_end());
+    }
+
+    void read_figures(const Head& head) {
         spacing = head.spacing;
         unit = head.unit;
         lowest = head.lowest;
         highest = head.highest;
         expect(std::isfinite(spacing) && spacing > 0.0);
         expect(std::isfinite(unit) && unit > 0.0);
+        expect(std::isfinite(lowest) && std::isfinite(highest));
         expect(head.exemplars >= 1 && head.exemplars <= kMostExemplars);
         expect(head.levels >= 1 && head.levels <= kMostLevels);
         expect(head.types <= kMostTypes);
+    }
+
+    std::vector<Size> read_exemplars(std::uint32_t count, Reader& in) {
         std::vector<Size> sizes;
-        for (std::uint32_t e = 0; e < head.exemplars; ++e) {
+        for (; count > 0; --count) {
             const auto width = in.value<std::uint32_t>();
             const auto height = in.value<std::uint32_t>();
             expect(width >= 1 && width <= kLongestSide);
@@ -157,13 +174,7 @@ class MappedDatabase final : public Database {
             sizes.push_back({static_cast<int>(width), static_cast<int>(height)});
             names.push_back(in.text(in.at_most(kLongestName)));
         }
-        for (std::uint32_t i = 0; i < head.levels; ++i) {
-            sheets_.push_back(sheets_of(sizes));
-            levels.push_back(level_of(sheets_.back(), head.types, in));
-            expect_sound(levels.back());
-            for (Size& size : sizes) size = coarser_size(size);
-        }
-        expect(in.at_end());
+        return sizes;
     }
 
     static Level level_of(const std::vector<Sheet>& sheets, std::uint32_t types,

@@ -49,10 +49,16 @@ void refuse_unusable(const std::string& name, const Model& model) {
     const Field<float>& heights = model.terrain.heights;
     refuse_size(name, heights.width(), heights.height(), model.terrain.spacing);
     const auto [low, high] = std::ranges::minmax(heights);
-    if (!(high - low > 0.0f))
+    if (!(double(high) - low < 1e7))
+        throw bad_request(
+            "{}: its heights go from {:g} to {:g} m, which is no land: check its unit "
+            "and "
+            "vertical_scale",
+            name, low, high);
+    if (!(high - low > 1e-3f))
         throw bad_request(
             "{}: all its heights are {:g} m: there is no land to take from it; remove it",
-            name, low);
+            name, low + 0.0f);  // no -0
 }
 
 // On cells of another size, as many as fit, the rest shared between opposite edges.

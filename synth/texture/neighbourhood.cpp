@@ -1,6 +1,7 @@
 #include "synth/texture/neighbourhood.h"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 #include "synth/texture/appearance.h"
 
@@ -9,6 +10,11 @@ namespace {
 
 constexpr int kNumbers = 4 * kCompared.size();
 using Numbers = Eigen::Matrix<double, kNumbers, 1>;
+
+// So that the last bits of a library's functions do not decide between places.
+float rounded(double value) {
+    return static_cast<float>(std::round(value * 4096.0) / 4096.0);
+}
 
 Numbers numbers_of(const View& view) {
     Numbers numbers;
@@ -56,7 +62,7 @@ TraitSpace::TraitSpace(const LevelArrays& level) {
     for (int k = 0; k < kNumbers; ++k)
         for (int t = 0; t < kTraits; ++t)
             axes_[k / 4][k % 4][t / 4][t % 4] =
-                static_cast<float>(solver.eigenvectors()(k, kNumbers - 1 - t));
+                rounded(solver.eigenvectors()(k, kNumbers - 1 - t));
 }
 
 Traits TraitSpace::traits_of(const View& view) const {

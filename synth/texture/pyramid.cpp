@@ -1,6 +1,7 @@
 #include "synth/texture/pyramid.h"
 
 #include <algorithm>
+#include <queue>
 #include <utility>
 
 #include "field/parallel.h"
@@ -176,37 +177,25 @@ std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most) {
 }
 
 void sow(LevelArrays& level, int types) {
-    // Of each type's places those with the least hashes, in the order of these.
-    struct Seed {
-        std::uint64_t hash, place;
-        bool operator<(const Seed& other) const { return hash < other.hash; }
-    };
-    std::vector<std::vector<Seed>> found(static_cast<std::size_t>(types));
+    // Of each type's places those with the least hashes, the largest on top.
+    using Chosen = std::priority_queue<std::pair<std::uint64_t, std::uint64_t>>;
+    std::vector<Chosen> chosen(static_cast<std::size_t>(types));
     for (std::uint64_t e = 0; e < level.sheets.size(); ++e) {
         const Sheet& sheet = level.sheets[e];
         for (int y = 0; y < sheet.height; ++y)
             for (int x = 0; x < sheet.width; ++x) {
                 const std::size_t type = level.types[sheet.index(x, y)];
-                if (type >= found.size()) continue;
+                if (type >= chosen.size()) continue;
                 const std::uint64_t place =
                     e << 48 | std::uint64_t(y) << 24 | std::uint64_t(x);
-                const Seed seed{hash_of({key("seed"), place}), place};
-                auto& heap = found[type];
-                if (heap.size() == kSeeds && !(seed < heap.front())) continue;
-                if (heap.size() == kSeeds) {
-                    std::ranges::pop_heap(heap, std::less<>{});
-                    heap.pop_back();
-                }
-                heap.push_back(seed);
-                std::ranges::push_heap(heap, std::less<>{});
+                chosen[type].emplace(hash_of({key("seed"), place}), place);
+                if (chosen[type].size() > kSeeds) chosen[type].pop();
             }
     }
-    level.seeds.clear();
-    for (auto& heap : found) {
-        std::ranges::sort_heap(heap, std::less<>{});
-        std::vector<std::uint64_t>& places = level.seeds.emplace_back();
-        for (const Seed& seed : heap) places.push_back(seed.place);
-    }
+    level.seeds.assign(chosen.size(), {});
+    for (std::size_t type = 0; type < chosen.size(); ++type)
+        for (; !chosen[type].empty(); chosen[type].pop())
+            level.seeds[type].push_back(chosen[type].top().second);
 }
 
 }  // namespace cydonia::texture

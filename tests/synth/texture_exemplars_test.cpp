@@ -111,6 +111,14 @@ TEST_F(Exemplars, ConstantHeight) {
     expect_refused("flat.tif: all its heights are 7.5 m");
 }
 
+TEST_F(Exemplars, HeightsThatAreNoLand) {
+    add("a.tif", rough(30, 30));
+    options_.vertical_scale = 1e300;
+    expect_refused("a.tif: its heights go from -inf to inf m, which is no land");
+    options_.vertical_scale = 1e-300;
+    expect_refused("a.tif: all its heights are 0 m");
+}
+
 TEST_F(Exemplars, AllVoid) {
     add("void.tif", Field<float>(30, 30, kNan));
     expect_refused("void.tif");
