@@ -7,27 +7,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if ! command -v oiiotool > /dev/null; then
-    echo "controls.sh: skipped: oiiotool (package openimageio-tools) is missing"
-    exit 0
-fi
-cydonia=$(realpath "${CYDONIA:-./cydonia}")
 pictures=$PWD/docs/pictures/distance
-wanted=("$@")
-mkdir -p "$pictures"
-tmp=$(mktemp -d)
-trap 'rm -rf "$tmp"' EXIT
-cd "$tmp"
+. bench/strips.sh
 
 # scene NAME: a land with one distance stage; the rest of it is read from the input.
 scene() {
     { printf '[terrain]\nsamples = 240\n[[terrain.stage]]\nmethod = "distance"\n'; cat; } > "$1.toml"
-}
-
-# drawing NAME: an SVG 240 units wide; its shapes are read from the input.
-drawing() {
-    { echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 240 240" width="240" height="240">'
-      cat; echo '</svg>'; } > "$1.svg"
 }
 
 # to_scale LAND: how land slopes to the north-west, in greys that mean the same in every
@@ -37,29 +22,9 @@ to_scale() {
         --addc 0.5 --clamp:min=0:max=1 --ch 0,0,0 -d uint8 -o "$1/preview.png"
 }
 
-# strip NAME SCENE TILE...: a tile is "KEY=VALUE|KEY=VALUE", keys of the last stage; "" is
-# the scene as it is.
-strip() {
-    local name=$1 scene=$2 tiles=() keys=() set=() stage
-    shift 2
-    [[ ${#wanted[@]} -eq 0 || " ${wanted[*]} " == *" $name "* ]] || return 0
-    stage=$(($(grep -c '^\[\[terrain.stage\]\]' "$scene.toml") - 1))
-    for tile in "$@"; do
-        IFS='|' read -ra keys <<< "$tile"
-        set=()
-        for key in "${keys[@]}"; do set+=(--set "terrain.stage[$stage].$key"); done
-        "$cydonia" synth "$scene.toml" ${set[@]+"${set[@]}"} -o "$tmp/out" --quiet
-        tiles+=("$tmp/$name-${#tiles[@]}.png")
-        [[ " mean-edge-weight sea-level-scale vertical-scale " != *" $name "* ]] || to_scale out
-        mv "$tmp/out/preview.png" "${tiles[-1]}"
-        rm -rf "$tmp/out"
-    done
-    for quality in 80 70 60 50 40; do # the first that stays below 30 KB
-        oiiotool "${tiles[@]}" --mosaic:pad=0 "$#x1" --compression "jpeg:$quality" \
-            -o "$pictures/$name.jpg"
-        [[ $(wc -c < "$pictures/$name.jpg") -gt 30000 ]] || break
-    done
-    echo "$name"
+# What becomes of a tile of strip NAME before it is put beside the others.
+finished() {
+    [[ " mean-edge-weight sea-level-scale vertical-scale " != *" $1 "* ]] || to_scale "$2"
 }
 
 drawing ridge << 'SVG'
