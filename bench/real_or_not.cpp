@@ -167,11 +167,11 @@ void make(const fs::path& folder, int count, const std::vector<fs::path>& paths)
         write_png(folder / fmt::format("pair-{}.png", name),
                   page_of(exemplars.at(path), pairs.back().real_is_a, pair_seed));
         blank += name + " ?\n";
+        write_text(folder / "key", bench::hidden(pairs, seed));
+        write_text(folder / "answers.txt", blank);
         fmt::print("pair {} of {}\n", i + 1, count);
         std::fflush(stdout);
     }
-    write_text(folder / "key", bench::hidden(pairs, seed));
-    write_text(folder / "answers.txt", blank);
 }
 
 int score(const fs::path& folder) {
