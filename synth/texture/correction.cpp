@@ -1,8 +1,9 @@
 #include "synth/texture/correction.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "field/parallel.h"
@@ -10,6 +11,8 @@
 #include "synth/texture/appearance_read.h"
 #include "synth/texture/height_read.h"
 #include "synth/texture/places.h"
+#include "synth/texture/pull.h"
+#include "synth/texture/residual.h"
 
 namespace cydonia::texture {
 namespace {
@@ -20,50 +23,45 @@ constexpr Step kDiagonals[4] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
 constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
                                  {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
 
-// How much a height offset costs beside the four neighbours, on coarse levels: free it
-// wanders over hundreds of metres, everywhere it holds seams (notes.md, trial 3).
-constexpr float kOffsetPrice = 0.2f;
-constexpr int kFinestPriced = 3;
+// How much a height offset costs beside the four neighbours, from the finest level on:
+// free on coarse levels it evens out the land's relief, held on fine ones it holds seams
+// (notes.md, trial 3; bench/realism.sh).
+constexpr float kOffsetPrices[] = {0.0f, 0.0f, 0.0f, 0.5f, 2.0f, 4.0f};
+float offset_price(int level) {
+    return kOffsetPrices[std::min<std::size_t>(std::size_t(level),
+                                               std::size(kOffsetPrices) - 1)];
+}
 
-// until pull.h
-float blended(float, const Pull& asked, double, double) { return asked.target; }
+const Asked kFree;  // points, curves and types are off on the finest two levels
 
 constexpr int kSeedsOfType = 9;
 constexpr int kMostCandidates = 19;
-
-// Guidance for one pass over a window.
-struct Steering {
-    Kept kept;
-    Field<TypeSet> types;
-    Field<Pull> pulls;
-    float unit = 1.0f;
-    double stiffness = 0.5, pull = 0.5;
-    std::uint64_t seed = 0;
-};
 
 template <bool kSnapped>
 class Pass {
   public:
     Pass(Synthesis& land, const Database& database, const Controls& controls,
-         const Steering& steering)
+         const Asked& asked, const Kept& kept, int pass)
         : land_(land),
-          steering_(steering),
+          asked_(asked),
+          kept_(kept),
+          controls_(controls),
+          unit_(static_cast<float>(database.unit)),
+          seed_(hash_of({controls.seed, key("seeds"), std::uint64_t(pass)})),
           level_(database.levels[std::size_t(land.window.level)]),
           read_(level_, land.window.level),
           cell_(2 << land.window.level),
           width_(land.window.width),
           kappa_(static_cast<float>(controls.kappa)),
-          price_(land.window.level - controls.finest >= kFinestPriced ? kOffsetPrice
-                                                                      : 0.0f) {}
+          price_(offset_price(land.window.level - controls.finest)) {}
 
     void cell(int x, int y) const {
         const std::size_t at = land_.places.index(x, y);
-        const float weight =
-            steering_.kept.weights.empty() ? 1.0f : steering_.kept.weights[at];
+        const float weight = kept_.weights.empty() ? 1.0f : kept_.weights[at];
         if (weight == 0.0f) return keep(at);
         if (kSnapped && settled(at)) return;
 
-        const TypeSet types = steering_.types.empty() ? kAnyType : steering_.types[at];
+        const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
         Contest contest(neighbourhood(at), types, price_at(at));
         for (const Step d : kNeighbours) {
             const Spot spot = spot_of(land_.places[at + offset(d)]);
@@ -73,12 +71,12 @@ class Pass {
             const Spot spot = match_of(spot_of(land_.places[at + offset(d)]));
             consider(seen_from(spot, d), kappa_, contest);
         }
-        if (weight < 1.0f) consider(spot_of(steering_.kept.places[at]), weight, contest);
+        if (weight < 1.0f) consider(spot_of(kept_.places[at]), weight, contest);
         if (contest.nothing() && types != kAnyType) seed(x, y, contest);
         if (contest.nothing()) return;
         land_.places[at] = place_of(contest.spot);
         land_.offsets[at] = contest.offset;
-        if (!steering_.pulls.empty()) pull(at, contest.spot);
+        if (!asked_.pulls.empty()) pull(at, contest.spot);
     }
 
   private:
@@ -211,13 +209,13 @@ class Pass {
 
     // Land that constraints hold up pays nothing for its height.
     float price_at(std::size_t at) const {
-        const bool held = !steering_.pulls.empty() && steering_.pulls[at].reach > 0.0f;
+        const bool held = !asked_.pulls.empty() && asked_.pulls[at].reach > 0.0f;
         return held ? 0.0f : price_;
     }
 
     void keep(std::size_t at) const {
-        land_.places[at] = steering_.kept.places[at];
-        land_.offsets[at] = steering_.kept.offsets[at];
+        land_.places[at] = kept_.places[at];
+        land_.offsets[at] = kept_.offsets[at];
     }
 
     // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
@@ -227,7 +225,7 @@ class Pass {
             const auto& seeds = level_.seeds[std::size_t(t)];
             for (int i = 0; i < kSeedsOfType && !seeds.empty(); ++i) {
                 const std::uint64_t h =
-                    hash_of({steering_.seed, std::uint64_t(land_.window.level),
+                    hash_of({seed_, std::uint64_t(land_.window.level),
                              std::uint64_t(std::int64_t{land_.window.x + x}),
                              std::uint64_t(std::int64_t{land_.window.y + y}),
                              std::uint64_t(t * kSeedsOfType + i)});
@@ -242,17 +240,21 @@ class Pass {
 
     // Eq. 9: towards what points and curves ask for.
     void pull(std::size_t at, const Spot& spot) const {
-        const Pull& asked = steering_.pulls[at];
-        if (!(asked.reach > 0.0f)) return;
+        const Pull& wish = asked_.pulls[at];
+        if (!(wish.reach > 0.0f)) return;
         const float height = height_at(level_, land_.window.level, spot) +
-                             steering_.unit * float(land_.offsets[at]);
-        const float wanted = blended(height, asked, steering_.stiffness, steering_.pull);
+                             unit_ * float(land_.offsets[at]);
+        const float wanted = blended(height, wish, controls_.stiffness, controls_.pull);
         land_.offsets[at] +=
-            static_cast<std::int32_t>(std::lrintf((wanted - height) / steering_.unit));
+            static_cast<std::int32_t>(std::lrintf((wanted - height) / unit_));
     }
 
     Synthesis& land_;
-    const Steering& steering_;
+    const Asked& asked_;
+    const Kept& kept_;
+    const Controls& controls_;
+    const float unit_;
+    const std::uint64_t seed_;
     const Level& level_;
     const AppearanceReader read_;
     const int cell_, width_;
@@ -260,10 +262,7 @@ class Pass {
 };
 
 template <bool kSnapped>
-void correct_in_place(Synthesis& land, const Database& database, const Controls& controls,
-                      const Steering& steering) {
-    const Window& w = land.window;
-    const Pass<kSnapped> pass(land, database, controls, steering);
+void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
     // Cells of one parity look at none of their own, so that they change in place. Parity
     // is that of the plane.
     for (int sub = 0; sub < 4; ++sub) {
@@ -276,30 +275,35 @@ void correct_in_place(Synthesis& land, const Database& database, const Controls&
     }
 }
 
-Steering steering_of(const Window& window, const Database& database,
-                     const Controls& controls, const Guidance& guidance, int pass) {
-    Steering steering;
-    steering.unit = static_cast<float>(database.unit);
-    steering.stiffness = controls.stiffness;
-    steering.pull = controls.pull;
-    steering.seed = hash_of({controls.seed, key("seeds"), std::uint64_t(pass)});
-    if (guidance.kept) steering.kept = guidance.kept(window, pass);
-    if (is_snapped(window.level, controls)) return steering;
-    if (guidance.types) steering.types = guidance.types(window);
-    if (guidance.pulls) steering.pulls = guidance.pulls(window);
-    return steering;
-}
-
 }  // namespace
 
 void correct(Synthesis& land, const Database& database, const Controls& controls,
-             const Guidance& guidance, int pass) {
-    const Steering steering =
-        steering_of(land.window, database, controls, guidance, pass);
+             const Asked& asked, const Kept& kept, int pass) {
     if (is_snapped(land.window.level, controls))
-        correct_in_place<true>(land, database, controls, steering);
+        correct_in_place(land.window,
+                         Pass<true>(land, database, controls, kFree, kept, pass));
     else
-        correct_in_place<false>(land, database, controls, steering);
+        correct_in_place(land.window,
+                         Pass<false>(land, database, controls, asked, kept, pass));
+}
+
+void lift(Synthesis& land, const Database& database, const Asked& asked,
+          const Kept& kept) {
+    const Window& w = land.window;
+    const Level& level = database.levels[std::size_t(w.level)];
+    const float unit = static_cast<float>(database.unit);
+    Field<float> heights(w.width, w.height);
+    parallel_for(w.height, 16, [&](int y) {
+        for (std::size_t i = heights.index(0, y); i < heights.index(0, y) + w.width; ++i)
+            if (asked.pulls[i].reach > 0.0f)
+                heights[i] = height_at(level, w.level, spot_of(land.places[i])) +
+                             unit * float(land.offsets[i]);
+    });
+    const Field<float> rise = residual_correction(
+        asked.pulls, heights, database.spacing * double(1 << w.level));
+    for (std::size_t i = 0; i < rise.size(); ++i)
+        if (kept.weights.empty() || kept.weights[i] > 0.0f)
+            land.offsets[i] += static_cast<std::int32_t>(std::lrintf(rise[i] / unit));
 }
 
 }  // namespace cydonia::texture

@@ -15,8 +15,20 @@ inline bool is_snapped(int level, const Controls& controls) {
     return level <= controls.finest + 1;
 }
 
-// One pass, eq. 3 to 7, over all of the window but its outermost two cells.
+// What points, curves and types ask of the cells of a window; empty: nothing.
+struct Asked {
+    Field<Pull> pulls;
+    Field<TypeSet> types;
+};
+
+// One pass, eq. 3 to 9, over all of the window but its outermost two cells.
 void correct(Synthesis& land, const Database& database, const Controls& controls,
-             const Guidance& guidance, int pass);
+             const Asked& asked, const Kept& kept, int pass);
+
+// What the passes of a level have left of the errors at points and curves, taken off
+// smoothly (notes.md, trial 10). Looks kLiftHalo cells around.
+inline constexpr int kLiftHalo = 12;
+void lift(Synthesis& land, const Database& database, const Asked& asked,
+          const Kept& kept);
 
 }  // namespace cydonia::texture

@@ -95,6 +95,20 @@ Maker::Maker(const Options& options, const Extent& extent, const Context& contex
         guidance_.pulls = [this](const Window& window) {
             return geometry_->pulls(window);
         };
+    const Guidance without_pastes = guidance_;
+    pasting_ = std::make_unique<Pasting>(
+        options, *database_, ground_, finest, [&](const Window& window) {
+            Recording passes;
+            synthesised(*database_, controls_, without_pastes, window, &passes,
+                        progress_);
+            return passes;
+        });
+    if (!pasting_->empty())
+        guidance_.kept = [this](const Window& window, int pass) {
+            Kept kept;
+            pasting_->lay_down(window, pass, kept);
+            return kept;
+        };
 }
 
 Window Maker::window_of(int x, int y, int width, int height) const {
@@ -112,12 +126,6 @@ Window Maker::window_of(int x, int y, int width, int height) const {
                   to(y + height) - from(y)};
     }
     return window.grown(kReadOut);
-}
-
-Synthesis Maker::synthesis(int x, int y, int width, int height, const Guidance& guidance,
-                           Recording* record) const {
-    return synthesised(*database_, controls_, guidance, window_of(x, y, width, height),
-                       record, progress_);
 }
 
 Field<float> Maker::heights(const Synthesis& synthesis, int x, int y, int width,

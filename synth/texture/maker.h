@@ -6,6 +6,7 @@
 #include "synth/texture/database.h"
 #include "synth/texture/geometry.h"
 #include "synth/texture/options.h"
+#include "synth/texture/pasting.h"
 #include "synth/texture/synthesis.h"
 #include "synth/texture/texture.h"
 #include "synth/texture/types.h"
@@ -17,10 +18,7 @@ class Maker {
   public:
     Maker(const Options& options, const Extent& extent, const Context& context);
 
-    // The synthesis under a rectangle of samples and what their heights need around it.
-    Synthesis synthesis(int x, int y, int width, int height, const Guidance& guidance,
-                        Recording* record) const;
-    // Of those samples, metres: the synthesis' own cells, or cubic between them.
+    // Heights of those samples, metres: the synthesis' own cells, or cubic between them.
     Field<float> heights(const Synthesis& synthesis, int x, int y, int width,
                          int height) const;
 
@@ -28,13 +26,16 @@ class Maker {
     const Geometry& geometry() const { return *geometry_; }
     const Ground& ground() const { return ground_; }
     const Controls& controls() const { return controls_; }
+    // The column or row of the finest level that a sample's middle lies in.
+    int cell_of(int sample) const { return static_cast<int>((sample + 0.5) * ratio_); }
+    int levels() const { return static_cast<int>(database_->levels.size()); }
     // What points, curves, types and pastes ask for.
     const Guidance& guidance() const { return guidance_; }
 
-  private:
+    // Of the finest level under a rectangle of samples, with what their heights need.
     Window window_of(int x, int y, int width, int height) const;
-    double natural_height(double x, double y) const;
 
+  private:
     Extent extent_;
     Progress& progress_;
     std::shared_ptr<const Database> database_;
@@ -43,6 +44,7 @@ class Maker {
     double ratio_ = 1.0;  // samples to cells of the finest level
     std::unique_ptr<TypeMap> types_;
     std::unique_ptr<Geometry> geometry_;
+    std::unique_ptr<Pasting> pasting_;
     Guidance guidance_;
 };
 

@@ -82,8 +82,8 @@ float squared_distance(const Traits& a, const Traits& b) {
 void try_all(BestMatch& best, const LevelArrays& level, std::span<const int> turns) {
     for (int e = 0; e < static_cast<int>(level.sheets.size()); ++e) {
         const Sheet& sheet = level.sheets[std::size_t(e)];
-        for (int y = kBorder; y < sheet.height - kBorder; ++y)
-            for (int x = kBorder; x < sheet.width - kBorder; ++x)
+        for (int y = 1; y < sheet.height - 1; ++y)
+            for (int x = 1; x < sheet.width - 1; ++x)
                 for (int o : turns) best.consider(e, x, y, o);
     }
 }

@@ -18,32 +18,32 @@ namespace {
 constexpr int kBlock = 16;
 
 // The exemplar's cell.
-int column(Place place) { return spot_of(place).x / 2; }
-int row(Place place) { return spot_of(place).y / 2; }
+int column(Place place, int level) { return spot_of(place).x >> (level + 1); }
+int row(Place place, int level) { return spot_of(place).y >> (level + 1); }
 
 // Whether b, a step away from a, is the land that lies a step away from a's.
-bool goes_on(Place from, Place to, Step step) {
+bool goes_on(Place from, Place to, Step step, int level) {
     const Step there = turned(from.orientation(), step);
     const Spot a = spot_of(from), b = spot_of(to);
     return a.exemplar == b.exemplar && a.orientation == b.orientation &&
-           a.x + 2 * there.x == b.x && a.y + 2 * there.y == b.y;
+           a.x + there.x * (2 << level) == b.x && a.y + there.y * (2 << level) == b.y;
 }
 
-bool coherent(const Field<Place>& places, int x, int y) {
+bool coherent(const Field<Place>& places, int level, int x, int y) {
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
             if (places.contains(x + dx, y + dy) &&
-                !goes_on(places(x, y), places(x + dx, y + dy), {dx, dy})) {
+                !goes_on(places(x, y), places(x + dx, y + dy), {dx, dy}, level)) {
                 return false;
             }
     return true;
 }
 
-double coherent_share(const Field<Place>& places) {
+double coherent_share(const Field<Place>& places, int level) {
     std::vector<int> count(static_cast<std::size_t>(places.height()));
     parallel_for(places.height(), 16, [&](int y) {
         for (int x = 0; x < places.width(); ++x)
-            count[static_cast<std::size_t>(y)] += coherent(places, x, y);
+            count[static_cast<std::size_t>(y)] += coherent(places, level, x, y);
     });
     return std::accumulate(count.begin(), count.end(), 0.0) /
            static_cast<double>(places.size());
@@ -69,13 +69,13 @@ class Sets {
 };
 
 // Cells of every patch, the largest first. Patches hang together by their cells' sides.
-std::vector<std::int64_t> patch_sizes(const Field<Place>& places) {
+std::vector<std::int64_t> patch_sizes(const Field<Place>& places, int level) {
     Sets sets(places.size());
     const auto join = [&](int x, int y, Step step) {
         if (!places.contains(x + step.x, y + step.y)) return;
         const std::size_t a = places.index(x, y),
                           b = places.index(x + step.x, y + step.y);
-        if (goes_on(places[a], places[b], step))
+        if (goes_on(places[a], places[b], step, level))
             sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
     };
     for (int y = 0; y < places.height(); ++y)
@@ -98,20 +98,20 @@ std::int64_t half_way(const std::vector<std::int64_t>& sizes, std::size_t cells)
 }
 
 // Blocks that an exemplar ends within do not count.
-double used_share(const Database& database, const Field<Place>& places) {
+double used_share(const Database& database, const Field<Place>& places, int level) {
     struct Blocks {
         int across, down;
         std::vector<char> used;
     };
     std::vector<Blocks> exemplars;
-    for (const Sheet& sheet : database.levels.at(0).sheets) {
+    for (const Sheet& sheet : database.levels.at(std::size_t(level)).sheets) {
         const int across = sheet.width / kBlock, down = sheet.height / kBlock;
         exemplars.push_back(
             {across, down, std::vector<char>(static_cast<std::size_t>(across * down))});
     }
     for (Place place : places) {
         Blocks& blocks = exemplars.at(static_cast<std::size_t>(place.exemplar()));
-        const int x = column(place) / kBlock, y = row(place) / kBlock;
+        const int x = column(place, level) / kBlock, y = row(place, level) / kBlock;
         if (x < blocks.across && y < blocks.down)
             blocks.used[static_cast<std::size_t>(y * blocks.across + x)] = 1;
     }
@@ -125,28 +125,29 @@ double used_share(const Database& database, const Field<Place>& places) {
 
 }  // namespace
 
-PatchFigures patch_figures(const Database& database, const Field<Place>& places) {
+PatchFigures patch_figures(const Database& database, const Field<Place>& places,
+                           int level) {
     if (places.empty()) return {};
-    const std::vector<std::int64_t> sizes = patch_sizes(places);
-    return {.coherent = coherent_share(places),
+    const std::vector<std::int64_t> sizes = patch_sizes(places, level);
+    return {.coherent = coherent_share(places, level),
             .patches = static_cast<int>(sizes.size()),
             .typical = half_way(sizes, places.size()),
             .largest = sizes.front(),
-            .used = used_share(database, places)};
+            .used = used_share(database, places, level)};
 }
 
-Field<Rgb8> source_map(const Database& database, const Field<Place>& places) {
+Field<Rgb8> source_map(const Database& database, const Field<Place>& places, int level) {
     const auto share = [](double part, double of) {
         return static_cast<std::uint8_t>(
             std::lround(255.0 * std::clamp(part / std::max(of, 1.0), 0.0, 1.0)));
     };
-    const auto sheets = database.levels.at(0).sheets;
+    const auto sheets = database.levels.at(std::size_t(level)).sheets;
     Field<Rgb8> map(places.width(), places.height());
     for (std::size_t i = 0; i < map.size(); ++i) {
         const int exemplar = places[i].exemplar();
         const Sheet& sheet = sheets[static_cast<std::size_t>(exemplar)];
-        map[i] = {share(column(places[i]), sheet.width - 1),
-                  share(row(places[i]), sheet.height - 1),
+        map[i] = {share(column(places[i], level), sheet.width - 1),
+                  share(row(places[i], level), sheet.height - 1),
                   share(exemplar, static_cast<double>(sheets.size()) - 1.0)};
     }
     return map;

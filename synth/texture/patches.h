@@ -7,7 +7,7 @@
 
 namespace cydonia::texture {
 
-// What land of level 0 is put together from (figure 3). Two neighbouring cells are of one
+// What land of a level is put together from (figure 3). Two neighbouring cells are of one
 // patch where the exemplar goes on from one to the other as the land does.
 struct PatchFigures {
     double coherent = 0.0;     // share of cells of one patch with all their neighbours
@@ -17,9 +17,11 @@ struct PatchFigures {
     double used =
         0.0;  // share of the exemplars' whole 16x16 blocks that any cell is from
 };
-PatchFigures patch_figures(const Database& database, const Field<Place>& places);
+PatchFigures patch_figures(const Database& database, const Field<Place>& places,
+                           int level = 0);
 
 // Red grows east and green south in the exemplar, blue with its number.
-Field<Rgb8> source_map(const Database& database, const Field<Place>& places);
+Field<Rgb8> source_map(const Database& database, const Field<Place>& places,
+                       int level = 0);
 
 }  // namespace cydonia::texture

@@ -57,10 +57,10 @@ void close_voids(const Field<float>& void_share, Field<std::uint8_t>& types) {
         }
 }
 
-void close_borders(Field<std::uint8_t>& types) {
+void close_borders(Field<std::uint8_t>& types, int border) {
     for (int y = 0; y < types.height(); ++y)
         for (int x = 0; x < types.width(); ++x)
-            if (std::min({x, y, types.width() - 1 - x, types.height() - 1 - y}) < kBorder)
+            if (std::min({x, y, types.width() - 1 - x, types.height() - 1 - y}) < border)
                 types(x, y) = kNowhere;
 }
 
@@ -90,7 +90,7 @@ Layer coarser(const Layer& fine, const Land& land, int level) {
     return layer;
 }
 
-LevelArrays arrays_of(const std::vector<Layer>& layers) {
+LevelArrays arrays_of(const std::vector<Layer>& layers, int index) {
     std::vector<Size> sizes;
     for (const Layer& layer : layers)
         sizes.push_back({layer.heights.width(), layer.heights.height()});
@@ -103,7 +103,7 @@ LevelArrays arrays_of(const std::vector<Layer>& layers) {
         const Sheet& sheet = level.sheets[i];
         Field<std::uint8_t> types = layers[i].types;
         if (!layers[i].void_share.empty()) close_voids(layers[i].void_share, types);
-        close_borders(types);
+        close_borders(types, border_of(index));
         for (int y = 0; y < sheet.height; ++y) {
             std::ranges::copy(layers[i].heights.row(y),
                               &level.heights[sheet.index(0, y)]);
@@ -164,12 +164,12 @@ Level LevelArrays::view() const {
 std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most) {
     std::vector<Layer> layers;
     for (Land& land : lands) layers.push_back(first_layer(land));
-    std::vector<LevelArrays> pyramid{arrays_of(layers)};
+    std::vector<LevelArrays> pyramid{arrays_of(layers, 0)};
     while (static_cast<int>(pyramid.size()) < std::min(most, kMostLevels)) {
         const int level = static_cast<int>(pyramid.size());
         for (std::size_t i = 0; i < lands.size(); ++i)
             layers[i] = coarser(layers[i], lands[i], level);
-        LevelArrays next = arrays_of(layers);
+        LevelArrays next = arrays_of(layers, static_cast<int>(pyramid.size()));
         if (!has_land(next)) break;
         pyramid.push_back(std::move(next));
     }

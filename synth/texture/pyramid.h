@@ -29,11 +29,12 @@ struct LevelArrays {
     Level view() const;
 };
 
-// Cells of a sheet's own from which no land is taken: a candidate's neighbourhood and its
-// neighbours' must be there.
-inline constexpr int kBorder = 3;
+// Cells along a sheet's sides from which no land is taken: a candidate's neighbourhood and
+// its neighbours' must be there. Coarse levels do with less, where a cell is wide: three
+// of level 6 would be half of many an exemplar (bench/realism.sh).
+inline int border_of(int level) { return std::max(1, std::min(3, 5 - level)); }
 // The shortest side of an exemplar that leaves a neighbourhood of 5x5 inside its borders.
-inline constexpr int kShortestSide = 5 + 2 * kBorder;
+inline constexpr int kShortestSide = 5 + 2 * 3;
 
 inline constexpr int kLongestSide = 16384;  // of an exemplar, cells
 inline constexpr int kMostLevels = 15;

@@ -77,7 +77,7 @@ Synthesis synthesised(const Database& database, const Controls& controls,
     double cells = 0.0;
     for (int level = controls.finest; level <= top; ++level) {
         Window& w = worked[std::size_t(level)];
-        w = needed.grown(kCorrectionHalo);
+        w = needed.grown(kCorrectionHalo + (guidance.pulls ? kLiftHalo : 0));
         needed = w.coarser();
         cells += double(w.width) * w.height;
     }
@@ -88,8 +88,14 @@ Synthesis synthesised(const Database& database, const Controls& controls,
     for (int level = top; level >= controls.finest; --level) {
         const Window& w = worked[std::size_t(level)];
         if (level < top) land = upsampled(land, database, controls, w);
+        const Asked asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
+                          guidance.types && !is_snapped(level, controls)
+                              ? guidance.types(w)
+                              : Field<TypeSet>()};
         for (int pass = 0; pass < kPasses; ++pass) {
-            correct(land, database, controls, guidance, pass);
+            const Kept kept = guidance.kept ? guidance.kept(w, pass) : Kept{};
+            correct(land, database, controls, asked, kept, pass);
+            if (pass == kPasses - 1 && guidance.pulls) lift(land, database, asked, kept);
             if (record) (*record)[std::size_t(level)].push_back(land);
             done += double(w.width) * w.height / (kPasses * cells);
             progress.report(done);

@@ -1,24 +1,86 @@
 #include "synth/texture/texture.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "field/strokes.h"
+#include "synth/texture/breach.h"
+#include "synth/texture/database_file.h"
+#include "synth/texture/keeping.h"
 #include "synth/texture/maker.h"
-#include "synth/texture/patches.h"
+#include "synth/texture/report.h"
 
 namespace cydonia::texture {
 namespace {
 
-// Cells whose height no exemplar has (notes.md, Gain 6).
-Field<float> outside_range(const Field<float>& heights, const Database& database) {
-    Field<float> outside(heights.width(), heights.height());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        outside[i] =
-            heights[i] < database.lowest || heights[i] > database.highest ? 1.0f : 0.0f;
-    return outside;
+// Frozen cells of the finest level under a terrain.
+std::optional<Region> frozen_region(const Options& options, const Maker& maker) {
+    if (!options.frozen) return std::nullopt;
+    const double cell = maker.ground().spacing * (1 << maker.controls().finest);
+    const Window window{maker.controls().finest, 0, 0,
+                        static_cast<int>(std::ceil(maker.ground().width / cell)),
+                        static_cast<int>(std::ceil(maker.ground().depth / cell))};
+    const Field<float> white = read_grey_at(*options.frozen, window.width, window.height);
+    // Beyond the terrain the land that its border was made with stays too.
+    const Window all = window.grown(2 * kReadOut);
+    Field<std::uint8_t> inside(all.width, all.height);
+    for (int y = 0; y < all.height; ++y)
+        for (int x = 0; x < all.width; ++x)
+            inside(x, y) =
+                white(std::clamp(x - 2 * kReadOut, 0, window.width - 1),
+                      std::clamp(y - 2 * kReadOut, 0, window.height - 1)) >= 0.5f;
+    return region_of(all, std::move(inside), maker.levels() - maker.controls().finest);
 }
 
-double share(const Field<float>& mask) {
-    double sum = 0.0;
-    for (const float value : mask) sum += value;
-    return sum / static_cast<double>(mask.size());
+// The last run, where its places are those of the same exemplars.
+std::optional<Run> last_run(const Context& context, std::uint64_t database) {
+    if (!context.memory) return std::nullopt;
+    std::optional<Run> last = load_run(context.memory->last);
+    if (!last) return std::nullopt;
+    if (last->database == database) return last;
+    context.progress->note(
+        "texture: the exemplars are others than in the last run: nothing is kept of it");
+    return std::nullopt;
+}
+
+Synthesis coherent_synthesis(const Options& options, const Maker& maker,
+                             const std::optional<Region>& frozen, const Context& context,
+                             const Window& window) {
+    const std::uint64_t database = database_key(options);
+    Keeping keeping(maker.guidance(), last_run(context, database), frozen,
+                    maker.controls(), maker.levels());
+    Guidance guidance = maker.guidance();
+    guidance.kept = [&](const Window& w, int pass) { return keeping.kept(w, pass); };
+    Synthesis land = synthesised(maker.database(), maker.controls(), guidance, window,
+                                 &keeping.passes(), *context.progress);
+    if (context.memory) store_run(context.memory->next, keeping.finished(database));
+    return land;
+}
+
+// Samples of land that stays as it is: frozen or pasted.
+Field<std::uint8_t> locked_samples(const Maker& maker,
+                                   const std::optional<Region>& frozen,
+                                   const Window& window, int width, int height) {
+    const Kept pasted = maker.guidance().kept ? maker.guidance().kept(window, 0) : Kept{};
+    Field<std::uint8_t> locked(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int cx = maker.cell_of(x), cy = maker.cell_of(y);
+            locked(x, y) = (frozen && frozen->at(window.level).holds(cx, cy)) ||
+                           (!pasted.weights.empty() &&
+                            pasted.weights(cx - window.x, cy - window.y) == 0.0f);
+        }
+    }
+    return locked;
+}
+
+void let_out(Terrain& terrain, const Field<std::uint8_t>& locked,
+             const Context& context) {
+    context.progress->step("texture: channels that end nowhere");
+    const Breached breached = breach(terrain.heights, terrain.spacing, locked);
+    terrain.figures["texture: channels let out"] = breached.cut;
+    terrain.figures["texture: deepest cut, m"] = breached.deepest;
 }
 
 }  // namespace
@@ -27,17 +89,21 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     const int width = terrain.heights.width(), height = terrain.heights.height();
     const Maker maker(options, {width, height, terrain.spacing}, context);
 
+    const std::optional<Region> frozen = frozen_region(options, maker);
     context.progress->step("texture: synthesis");
+    const Window window = maker.window_of(0, 0, width, height);
     const Synthesis land =
-        maker.synthesis(0, 0, width, height, maker.guidance(), nullptr);
+        options.coherent
+            ? coherent_synthesis(options, maker, frozen, context, window)
+            : synthesised(maker.database(), maker.controls(), maker.guidance(), window,
+                          nullptr, *context.progress);
 
     Terrain result;
     result.spacing = terrain.spacing;
     result.heights = maker.heights(land, 0, 0, width, height);
-    result.masks["outside-exemplars"] = outside_range(result.heights, maker.database());
-    result.figures["texture: outside the exemplars' heights, share"] =
-        share(result.masks["outside-exemplars"]);
-    result.pictures["sources"] = source_map(maker.database(), land.places);
+    if (options.breach)
+        let_out(result, locked_samples(maker, frozen, window, width, height), context);
+    report(options, maker, land, result, context);
     return result;
 }
 
@@ -45,8 +111,11 @@ Field<float> tile(const Options& options, const Extent& extent, const Context& c
                   int x, int y, int width, int height) {
     const Maker maker(options, extent, context);
     context.progress->step("texture: synthesis");
-    return maker.heights(maker.synthesis(x, y, width, height, maker.guidance(), nullptr),
-                         x, y, width, height);
+    const Synthesis land = synthesised(maker.database(), maker.controls(),
+                                       maker.guidance(),
+                                       maker.window_of(x, y, width, height), nullptr,
+                                       *context.progress);
+    return maker.heights(land, x, y, width, height);
 }
 
 }  // namespace cydonia::texture

@@ -1,0 +1,103 @@
+#include "synth/texture/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "synth/texture/constraint_errors.h"
+#include "synth/texture/depressions.h"
+#include "synth/texture/patches.h"
+#include "synth/texture/places.h"
+#include "synth/texture/types.h"
+
+namespace cydonia::texture {
+namespace {
+
+// Cells whose height no exemplar has (notes.md, Gain 6).
+Field<float> outside_range(const Field<float>& heights, const Database& database) {
+    Field<float> outside(heights.width(), heights.height());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        outside[i] =
+            heights[i] < database.lowest || heights[i] > database.highest ? 1.0f : 0.0f;
+    return outside;
+}
+
+double share(const Field<float>& mask) {
+    double sum = 0.0;
+    for (const float value : mask) sum += value;
+    return sum / static_cast<double>(mask.size());
+}
+
+// Of the cells that a type is asked of, those that have it; 1 where none is asked.
+double typed_share(const Maker& maker, const Synthesis& land) {
+    const Window& w = land.window;
+    Window guided = w;
+    while (guided.level < w.level + kFinestGuided) guided = guided.coarser();
+    const Field<TypeSet> sets = maker.guidance().types(guided);
+    const Level& level = maker.database().levels[std::size_t(w.level)];
+    std::int64_t asked = 0, met = 0;
+    for (int y = 0; y < w.height; ++y) {
+        for (int x = 0; x < w.width; ++x) {
+            const TypeSet set = sets(((w.x + x) >> kFinestGuided) - guided.x,
+                                     ((w.y + y) >> kFinestGuided) - guided.y);
+            if (set == kAnyType) continue;
+            const Spot spot = spot_of(land.places(x, y));
+            const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
+            const std::uint8_t type =
+                level
+                    .types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
+            ++asked;
+            met += type < kMostTypes && (set >> type & 1u);
+        }
+    }
+    return asked > 0 ? double(met) / double(asked) : 1.0;
+}
+
+void report_constraints(const Maker& maker, Terrain& terrain) {
+    const ConstraintErrors errors =
+        constraint_errors(maker.geometry(), terrain.heights, terrain.spacing);
+    terrain.figures["texture: constraint error, RMS, m"] = errors.all.rms;
+    terrain.figures["texture: constraint error, most, m"] = errors.all.max;
+    for (const ConstraintError& e : errors.each) {
+        if (e.sites == 0) continue;
+        terrain.figures[fmt::format("texture: error of '{}', RMS, m", e.name)] = e.rms;
+        terrain.figures[fmt::format("texture: error of '{}', most, m", e.name)] = e.max;
+    }
+}
+
+}  // namespace
+
+void report(const Options& options, const Maker& maker, const Synthesis& land,
+            Terrain& terrain, const Context& context) {
+    auto& figures = terrain.figures;
+    Field<float>& outside = terrain.masks["outside-exemplars"] =
+        outside_range(terrain.heights, maker.database());
+    figures["texture: outside the exemplars' heights, share"] = share(outside);
+
+    const PatchFigures patches =
+        patch_figures(maker.database(), land.places, land.window.level);
+    figures["texture: patches"] = patches.patches;
+    figures["texture: patch size, typical, cells"] = double(patches.typical);
+    figures["texture: patch size, largest, cells"] = double(patches.largest);
+    figures["texture: coherent cells, share"] = patches.coherent;
+    figures["texture: exemplars' blocks used, share"] = patches.used;
+    terrain.pictures["sources"] =
+        source_map(maker.database(), land.places, land.window.level);
+
+    if (!maker.geometry().empty()) report_constraints(maker, terrain);
+    if (maker.guidance().types)
+        figures["texture: cells of the asked type, share"] = typed_share(maker, land);
+
+    Depressions ends = depressions_of(terrain.heights);
+    figures["texture: channels that end nowhere"] = ends.count;
+    figures["texture: deepest of them, m"] = ends.deepest;
+    figures["texture: pits per 1000"] = pits_per_1000(terrain.heights);
+    if (!options.breach && ends.count > 0)
+        context.progress->note(fmt::format(
+            "texture: {} channels end nowhere, the deepest in {:.1f} m of water "
+            "(masks/depressions.png); breach = true lets them out",
+            ends.count, double(ends.deepest)));
+    terrain.masks["depressions"] = std::move(ends.mask);
+}
+
+}  // namespace cydonia::texture
