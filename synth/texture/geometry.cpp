@@ -92,7 +92,7 @@ class Band {
         const double limit = kLimit * grid_.cell;
         const double reach = std::min(strand.course.largest_area(), limit);
         const auto cells = grid_.cells_in(box.grown(reach + kMargin * grid_.cell));
-        if (cells.empty()) return;
+        if (cells.empty() || !(reach > 0.0)) return;
         const Grid part{grid_.cell,         grid_.west,         grid_.north,
                         grid_.x + cells.x0, grid_.y + cells.y0, cells.x1 - cells.x0,
                         cells.y1 - cells.y0};

@@ -66,7 +66,8 @@ void add_nearest(const Shape& shape, const Grid& grid, double reach,
         const Point2 d = from_to(a, b);
         const Line line{a, d, 1.0 / dot(d, d), s};
         // Long lines in pieces: the box of a slanted one is mostly out of reach.
-        const double wanted = std::ceil(length(d) / (4.0 * margin));
+        const double wanted =
+            std::ceil(length(d) / std::max(4.0 * margin, 8.0 * grid.cell));
         const int pieces = static_cast<int>(std::clamp(wanted, 1.0, 65536.0));
         for (int k = 0; k < pieces; ++k) {
             const Box box = Box::of(between(a, b, double(k) / pieces),

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "field/random.h"
 #include "synth/texture/hermite.h"
 #include "synth/texture/strand.h"
 #include "tests/field/temporary_folder.h"
@@ -551,6 +552,46 @@ TEST(TextureGeometry, WhatIsNoCurveIsRefused) {
     refused(c, "two handles are at 0.5");
     expect_error(ExitCode::kBadRequest, "radius",
                  [&] { Made made(with({}, {point("p", 1, 1, 1, -1)})); });
+}
+
+// Curves that run back over themselves, end where they began, have no area, meet at
+// their ends, lie outside: refused, or numbers everywhere.
+TEST(TextureGeometry, AnyCurveIsRefusedOrGivesNumbers) {
+    int made = 0;
+    for (std::uint64_t seed = 0; seed < 80; ++seed) {
+        std::uint64_t n = 0;
+        const auto draw = [&] { return unit(hash_of({seed, n++})); };
+        const auto coordinate = [&] {
+            return draw() < 0.5 ? 500.0 * std::floor(5.0 * draw())
+                                : 4000.0 * draw() - 700.0;
+        };
+        Options options;
+        for (int c = 0; c < 4; ++c) {
+            std::vector<Place2> points;
+            for (double i = 0.0; i < 1.0 + 6.0 * draw(); ++i)
+                points.push_back(place(coordinate(), coordinate()));
+            if (draw() < 0.3) points.push_back(points[0]);
+            if (draw() < 0.2) points.insert(points.end(), points.rbegin(), points.rend());
+            Curve some =
+                curve(points, 500.0 * draw(), draw() < 0.1 ? 0.0 : 600.0 * draw());
+            some.relative = draw() < 0.3;
+            for (double at : {0.0, draw(), 1.0})
+                if (draw() < 0.5) some.handles.push_back(handle(at, 500.0 * draw()));
+            options.curves.push_back(some);
+        }
+        options.points.push_back(
+            point("p", coordinate(), coordinate(), 90.0, 300.0 * draw()));
+        survives([&] {
+            const Made some(options);
+            ++made;
+            for (int level : {1, 5})
+                for (const Pull& pull : some.geometry.pulls(whole(level)))
+                    ASSERT_TRUE(std::isfinite(pull.target + pull.reach));
+            for (const auto& site : some.geometry.sites())
+                ASSERT_TRUE(std::isfinite(site.height)) << seed;
+        });
+    }
+    EXPECT_GT(made, 10);
 }
 
 TEST(TextureGeometry, PathsOfADrawingByName) {
