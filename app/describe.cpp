@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/pipeline/memory.h"
 #include "field/dem.h"
 #include "field/error.h"
 #include "field/files.h"
+#include "field/packaged.h"
 #include "field/svg.h"
 #include "field/vec.h"
 
@@ -107,6 +109,18 @@ std::string manifest_text(const fs::path& file) try {
     throw bad_request("{}: not a manifest of Cydonia", file.string());
 }
 
+// ", curves.svg, package:jacksboro": each file once, however often it is named.
+std::string files_text(const std::vector<Source>& sources) {
+    std::string text;
+    std::set<fs::path> named;
+    for (const Source& source : sources)
+        if (named.insert(source.path).second)
+            text += is_packaged_dem(source.path)
+                        ? ", package:" + source.path.stem().string()
+                        : ", " + source.name();
+    return text;
+}
+
 // One channel is heights, as terrain.exr; an image has colours.
 bool holds_heights(const fs::path& file, const OIIO::ImageSpec& spec) {
     const bool elevation_format = file.extension() == ".exr" ||
@@ -126,8 +140,7 @@ std::string description(const config::SceneSpec& spec) {
                                : "");
     for (const config::StageSpec& stage : spec.stages) {
         text += fmt::format("  stage: {}", method_of(stage.options).name);
-        for (const Source& source : stage.sources) text += ", " + source.name();
-        text += "\n";
+        text += files_text(stage.sources) + "\n";
     }
     for (const render::CameraOptions& camera : spec.render.cameras) {
         text += fmt::format("  camera: {}, {} x {} pixels\n", camera.name, camera.size[0],

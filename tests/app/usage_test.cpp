@@ -97,3 +97,15 @@ TEST(Usage, ControlCharactersDoNotReachTheTerminal) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("a?[31m.toml"), std::string::npos) << outcome.err;
 }
+
+TEST(Usage, EachFileOfAStageIsNamedOnce) {
+    const TemporaryFolder folder;
+    folder.write("a.tif", "a model");
+    folder.write("scene.toml",
+                 "[[terrain.stage]]\nmethod = 'texture'\n"
+                 "exemplars = ['a.tif', 'package:jacksboro', 'a.tif']\n");
+    const Outcome outcome = run({folder.path()}, {"info", "scene.toml"});
+    EXPECT_NE(outcome.out.find("  stage: texture, a.tif, package:jacksboro\n"),
+              std::string::npos)
+        << outcome.out << outcome.err;
+}
