@@ -18,25 +18,38 @@ constexpr std::size_t kLooks = std::tuple_size_v<Look>;
 constexpr int kRounds = 60;              // of Lloyd's
 constexpr std::size_t kSamples = 40000;  // blocks that the centres are found from
 constexpr int kMajority = 4;             // radius, blocks
+constexpr double kMuchWater = 0.02;      // share of all blocks: a type of its own
 
-// Every look's numbers to mean 0 and deviation 1 over all exemplars.
+// Calls visit(look) for every block that is not level.
+template <class All, class Visit>
+void for_land(All& all, const Visit& visit) {
+    for (auto& looks : all)
+        for (std::size_t i = 0; i < looks.numbers.size(); ++i)
+            if (!looks.level[i]) visit(looks.numbers[i]);
+}
+
+std::size_t land_of(const std::vector<Looks>& all) {
+    std::size_t blocks = 0;
+    for_land(all, [&](const Look&) { ++blocks; });
+    return blocks;
+}
+
+// Every number to mean 0 and deviation 1 over all land.
 void standardise(std::vector<Looks>& all) {
+    const double count = double(std::max<std::size_t>(1, land_of(all)));
     for (std::size_t k = 0; k < kLooks; ++k) {
-        double count = 0.0, sum = 0.0, squares = 0.0;
-        for (const auto& looks : all)
-            for (const Look& look : looks.numbers) {
-                const double value = static_cast<double>(look[k]);
-                count += 1.0;
-                sum += value;
-                squares += value * value;
-            }
+        double sum = 0.0, squares = 0.0;
+        for_land(all, [&](const Look& look) {
+            const double value = static_cast<double>(look[k]);
+            sum += value;
+            squares += value * value;
+        });
         const double mean = sum / count;
         const double spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
         const double scale = spread > 1e-6 ? 1.0 / spread : 0.0;
-        for (auto& looks : all)
-            for (Look& look : looks.numbers)
-                look[k] =
-                    static_cast<float>((static_cast<double>(look[k]) - mean) * scale);
+        for_land(all, [&](Look& look) {
+            look[k] = static_cast<float>((static_cast<double>(look[k]) - mean) * scale);
+        });
     }
 }
 
@@ -59,22 +72,20 @@ std::size_t nearest(const std::vector<Look>& centres, const Look& look) {
     return best;
 }
 
-// As many of all blocks as make the centres, evenly spread, from calm to rugged.
+// As much of all land as makes the centres, evenly spread, from calm to rugged.
 std::vector<Look> samples_of(const std::vector<Looks>& all) {
-    std::size_t blocks = 0;
-    for (const auto& looks : all) blocks += looks.numbers.size();
-    const std::size_t step = blocks / kSamples + 1;
+    const std::size_t step = land_of(all) / kSamples + 1;
     std::vector<Look> samples;
     std::size_t at = 0;
-    for (const auto& looks : all)
-        for (const Look& look : looks.numbers)
-            if (at++ % step == 0) samples.push_back(look);
+    for_land(all, [&](const Look& look) {
+        if (at++ % step == 0) samples.push_back(look);
+    });
     std::ranges::stable_sort(samples, {}, ruggedness);
     return samples;
 }
 
 // Evenly from the calmest to the most rugged, however much there is of each: quantiles
-// would give most of them to a sea.
+// would give most of them to a plain.
 std::vector<Look> first_centres(const std::vector<Look>& samples, int types) {
     const float low = ruggedness(samples.front()), high = ruggedness(samples.back());
     std::vector<Look> centres;
@@ -87,7 +98,9 @@ std::vector<Look> first_centres(const std::vector<Look>& samples, int types) {
     return centres;
 }
 
+// Lloyd's.
 std::vector<Look> centres_of(const std::vector<Look>& samples, int types) {
+    if (samples.empty()) return {};
     std::vector<Look> centres = first_centres(samples, types);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<std::array<double, kLooks>> sums(centres.size());
@@ -127,16 +140,30 @@ Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int count) {
     return result;
 }
 
-Field<std::uint8_t> types_of(const Looks& looks, const std::vector<Look>& centres,
-                             const Field<float>& land) {
+struct Kinds {
+    int first = 0;  // type of the first centre; level land has type 0
+    std::vector<Look> centres;
+};
+
+Kinds kinds_of(const std::vector<Looks>& all, int types) {
+    std::size_t blocks = 0;
+    for (const Looks& looks : all) blocks += looks.numbers.size();
+    const double water = 1.0 - double(land_of(all)) / double(blocks);
+    const int first = types > 1 && water > kMuchWater ? 1 : 0;
+    return {first, centres_of(samples_of(all), types - first)};
+}
+
+Field<std::uint8_t> types_of(const Looks& looks, const Kinds& kinds,
+                             const Field<float>& land, int types) {
     Field<std::uint8_t> blocks(looks.level.width(), looks.level.height());
     parallel_for(blocks.height(), 4, [&](int y) {
         for (int x = 0; x < blocks.width(); ++x)
-            if (!looks.level(x, y))  // else the calmest, however steep its shores
-                blocks(x, y) =
-                    static_cast<std::uint8_t>(nearest(centres, looks.numbers(x, y)));
+            if (!looks.level(x, y))
+                blocks(x, y) = static_cast<std::uint8_t>(
+                    std::size_t(kinds.first) +
+                    nearest(kinds.centres, looks.numbers(x, y)));
     });
-    blocks = majority(blocks, static_cast<int>(centres.size()));
+    blocks = majority(blocks, types);
     Field<std::uint8_t> result(land.width(), land.height());
     for (int y = 0; y < land.height(); ++y)
         for (int x = 0; x < land.width(); ++x)
@@ -153,10 +180,10 @@ std::vector<Field<std::uint8_t>> automatic_types(std::span<const Field<float>> h
     for (const Field<float>& land : heights) all.push_back(looks_of(land, spacing));
     if (all.empty()) return {};
     standardise(all);
-    const std::vector<Look> centres = centres_of(samples_of(all), types);
+    const Kinds kinds = kinds_of(all, types);
     std::vector<Field<std::uint8_t>> result;
     for (std::size_t i = 0; i < all.size(); ++i)
-        result.push_back(types_of(all[i], centres, heights[i]));
+        result.push_back(types_of(all[i], kinds, heights[i], types));
     return result;
 }
 

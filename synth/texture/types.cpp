@@ -104,14 +104,6 @@ Field<TypeSet> TypeMap::sets(const Window& window) const {
     return result;
 }
 
-TypeSet TypeMap::asked() const {
-    TypeSet asked = 0;
-    if (!levels_.empty())
-        for (const TypeSet set : levels_.back())
-            if (set != kAnyType) asked |= set;
-    return asked;
-}
-
 Field<std::uint8_t> painted_types(const Options& options, int index, int width,
                                   int height) {
     const Exemplar& exemplar = options.exemplars[static_cast<std::size_t>(index)];

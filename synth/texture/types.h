@@ -22,8 +22,6 @@ class TypeMap {
     bool empty() const;  // nothing painted
     // R^i of a window of level kFinestGuided or coarser; kAnyType outside the terrain.
     Field<TypeSet> sets(const Window& window) const;
-    // Every type that is painted somewhere; none where empty().
-    TypeSet asked() const;
 
   private:
     int finest_ = kFinestGuided;  // a coarser one where the terrain has very many cells
@@ -36,7 +34,8 @@ Field<std::uint8_t> painted_types(const Options& options, int index, int width,
                                   int height);
 
 // Types found from the land itself (Options::automatic_types): clusters by slope, relief
-// and curvature, the calmest first. One field an exemplar.
+// and curvature, the calmest first; where there is much water that is the first. One
+// field an exemplar.
 std::vector<Field<std::uint8_t>> automatic_types(std::span<const Field<float>> heights,
                                                  double spacing, int types);
 

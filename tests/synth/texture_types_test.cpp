@@ -58,7 +58,6 @@ TEST_F(Painted, QuiltOfThreeByThree) {  // figure 6
             ASSERT_EQ(finest(x, y), TypeSet{1} << patch(x, y, 16)) << x << ' ' << y;
     const Field<TypeSet> coarsest = whole(types, 7, 2);
     EXPECT_EQ(coarsest(0, 0), kA | kB | kC);
-    EXPECT_EQ(types.asked(), kA | kB | kC);
 }
 
 TEST_F(Painted, CellOnABorderMayHaveEitherType) {
@@ -78,7 +77,6 @@ TEST_F(Painted, NarrowBandIsNotWashedOut) {
             EXPECT_EQ(types.sets({level, x, 0, 1, 1})(0, 0),
                       x == 100 >> level ? kC : kAnyType)
                 << level << ' ' << x;
-    EXPECT_EQ(types.asked(), kC);
 }
 
 TEST_F(Painted, WindowsAreCutFromOneMap) {
@@ -137,7 +135,6 @@ TEST_F(Painted, DrawingInTheTypesColours) {
 TEST_F(Painted, NothingPainted) {
     const TypeMap types(options_, {640, 640, 10}, 6);
     EXPECT_TRUE(types.empty());
-    EXPECT_EQ(types.asked(), 0u);
     EXPECT_EQ(types.sets({2, 0, 0, 3, 3})(1, 1), kAnyType);
 }
 
@@ -175,22 +172,28 @@ TEST_F(Painted, ExemplarsByPictureByNameAndNotAtAll) {
     EXPECT_EQ(painted_types(options_, 2, 7, 5), Field<std::uint8_t>(7, 5, kNoType));
 }
 
-// A sea in the west, hills, and mountains in the east, a third each; 30 m a cell.
-Field<float> coast(int width, int height) {
+// Bumps of a height that rise(x / width) gives.
+template <class Rise>
+Field<float> bumps(int width, int height, const Rise& rise) {
     Field<float> land(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const double east = double(x) / width;
-            const double rise = east < 1.0 / 3.0 ? 0.0 : east < 2.0 / 3.0 ? 60.0 : 300.0;
-            double bumps = 0.0;
+            double bump = 1.5;
             for (int octave = 0; octave < 3; ++octave) {
                 const double wave = 24.0 / (1 << octave);
-                bumps += std::sin(x / wave + 2.0 * std::sin(y / wave)) *
-                         std::cos(y / wave) / (1 << octave);
+                bump += std::sin(x / wave + 2.0 * std::sin(y / wave)) *
+                        std::cos(y / wave) / (1 << octave);
             }
-            land(x, y) = static_cast<float>(rise * (1.5 + bumps));
+            land(x, y) = static_cast<float>(rise(double(x) / width) * bump);
         }
     return land;
+}
+
+// A sea in the west, hills, and mountains in the east, a third each; 30 m a cell.
+Field<float> coast(int width, int height) {
+    return bumps(width, height, [](double east) {
+        return east < 1.0 / 3.0 ? 0.0 : east < 2.0 / 3.0 ? 60.0 : 300.0;
+    });
 }
 
 double share(const Field<std::uint8_t>& types, int type, double from, double to) {
@@ -226,6 +229,22 @@ TEST(AutomaticTypes, OneScaleForAllExemplars) {
     const auto types = automatic_types(lands, 30.0, 3);
     for (int i = 0; i < 3; ++i)
         EXPECT_GT(share(types[std::size_t(i)], i, 0.0, 1.0), 0.95) << i;
+}
+
+TEST(AutomaticTypes, WaterIsATypeOfItsOwn) {
+    const auto types = automatic_types(std::vector{coast(384, 200)}, 30.0, 2);
+    EXPECT_GT(share(types[0], 0, 0.0, 0.32), 0.99);
+    EXPECT_EQ(share(types[0], 0, 0.36, 1.0), 0.0);
+}
+
+TEST(AutomaticTypes, EveryTypeHasLand) {
+    const std::vector lands{
+        bumps(768, 400, [](double east) { return 400.0 * east * east; })};
+    for (int count = 1; count <= 8; ++count) {
+        const auto types = automatic_types(lands, 30.0, count);
+        for (int type = 0; type < count; ++type)
+            EXPECT_GT(share(types[0], type, 0.0, 1.0), 0.01) << type << " of " << count;
+    }
 }
 
 TEST(AutomaticTypes, SpecklesAreNoRegion) {
