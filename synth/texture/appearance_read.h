@@ -30,6 +30,13 @@ class AppearanceReader {
         return spot.orientation == 0 ? a : laid_down(a, spot.orientation);
     }
 
+    // Soon to be read.
+    void fetch(const Spot& spot) const {
+        const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
+        __builtin_prefetch(&level_.appearance[sheet.index(spot.x >> (index_ + 1),
+                                                          spot.y >> (index_ + 1))]);
+    }
+
   private:
     Int4 cell(std::size_t index) const {
         Short4 a;

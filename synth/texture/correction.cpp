@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 #include "field/parallel.h"
 #include "field/random.h"
@@ -12,6 +14,7 @@
 #include "synth/texture/height_read.h"
 #include "synth/texture/places.h"
 #include "synth/texture/pull.h"
+#include "synth/texture/pyramid.h"
 #include "synth/texture/residual.h"
 
 namespace cydonia::texture {
@@ -23,7 +26,7 @@ constexpr Step kDiagonals[4] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
 constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
                                  {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
 
-// How much a height offset costs beside the four neighbours, from the finest level on:
+// How much a height offset costs beside the four neighbours, from level 0 on:
 // free on coarse levels it evens out the land's relief, held on fine ones it holds seams
 // (notes.md, trial 3; bench/realism.sh).
 constexpr float kOffsetPrices[] = {0.0f, 0.0f, 0.0f, 0.5f, 2.0f, 4.0f};
@@ -36,6 +39,14 @@ const Asked kFree;  // points, curves and types are off on the finest two levels
 
 constexpr int kSeedsOfType = 9;
 constexpr int kMostCandidates = 19;
+
+bool voids_in(const Level& level, const Sheet& sheet, int border) {
+    for (int y = border; y < sheet.height - border; ++y)
+        if (std::memchr(&level.types[sheet.index(border, y)], kNowhere,
+                        std::size_t(std::max(0, sheet.width - 2 * border))))
+            return true;
+    return false;
+}
 
 template <bool kSnapped>
 class Pass {
@@ -53,7 +64,11 @@ class Pass {
           cell_(2 << land.window.level),
           width_(land.window.width),
           kappa_(static_cast<float>(controls.kappa)),
-          price_(offset_price(land.window.level - controls.finest)) {}
+          price_(offset_price(land.window.level)),
+          border_(border_of(land.window.level)) {
+        for (const Sheet& sheet : level_.sheets)
+            has_voids_.push_back(voids_in(level_, sheet, border_));
+    }
 
     void cell(int x, int y) const {
         const std::size_t at = land_.places.index(x, y);
@@ -62,17 +77,15 @@ class Pass {
         if (kSnapped && settled(at)) return;
 
         const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
-        Contest contest(neighbourhood(at), types, price_at(at));
-        for (const Step d : kNeighbours) {
-            const Spot spot = spot_of(land_.places[at + offset(d)]);
-            consider(seen_from(spot, d), 1.0f, contest);
-        }
-        for (const Step d : kNeighbours) {
-            const Spot spot = match_of(spot_of(land_.places[at + offset(d)]));
-            consider(seen_from(spot, d), kappa_, contest);
-        }
-        if (weight < 1.0f) consider(spot_of(kept_.places[at]), weight, contest);
-        if (contest.nothing() && types != kAnyType) seed(x, y, contest);
+        Candidates candidates;
+        gather(at, types, candidates);
+        Contest contest(neighbourhood(at), price_at(at));
+        if (weight < 1.0f && may_be_used(spot_of(kept_.places[at]), types))
+            score_kept(at, weight, contest);
+        for (int i = 0; i < candidates.count; ++i)
+            score(candidates.spots[std::size_t(i)], candidates.kappas[std::size_t(i)],
+                  contest);
+        if (contest.nothing() && types != kAnyType) seed(x, y, types, contest);
         if (contest.nothing()) return;
         land_.places[at] = place_of(contest.spot);
         land_.offsets[at] = contest.offset;
@@ -84,14 +97,16 @@ class Pass {
     struct Around {
         Int4 corners[4];
     };
-    // The candidates so far, and the best of them.
-    struct Contest {
-        Contest(const Around& a, TypeSet t, float p) : around(a), types(t), price(p) {}
-        Around around;
-        TypeSet types;
-        float price;
+    // Q of eq. 3, each once, with what its score is multiplied by.
+    struct Candidates {
         int count = 0;
-        std::array<Place, kMostCandidates> tried;
+        std::array<Spot, kMostCandidates> spots;
+        std::array<float, kMostCandidates> kappas;
+    };
+    struct Contest {
+        Contest(const Around& a, float p) : around(a), price(p) {}
+        Around around;
+        float price;
         float score = std::numeric_limits<float>::max();
         Spot spot;
         std::int32_t offset = 0;
@@ -166,45 +181,80 @@ class Pass {
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
         const int i = spot.x >> (land_.window.level + 1);
         const int j = spot.y >> (land_.window.level + 1);
-        if (unsigned(i) >= unsigned(sheet.width) || unsigned(j) >= unsigned(sheet.height))
+        if (unsigned(i - border_) >= unsigned(sheet.width - 2 * border_) ||
+            unsigned(j - border_) >= unsigned(sheet.height - 2 * border_))
             return false;
+        if (types == kAnyType && !has_voids_[std::size_t(spot.exemplar)]) return true;
         const std::uint8_t type = level_.types[sheet.index(i, j)];
         if (type == kNowhere) return false;
         return types == kAnyType || (type < kMostTypes && (types >> type & 1u));
     }
 
-    void consider(const Spot& spot, float kappa, Contest& contest) const {
-        if (!may_be_used(spot, contest.types)) return;
-        const Place place = place_of(spot);
-        for (int i = 0; i < contest.count; ++i)
-            if (contest.tried[std::size_t(i)] == place) return;
-        contest.tried[std::size_t(contest.count++)] = place;
-        score(spot, kappa, contest);
+    void gather(std::size_t at, TypeSet types, Candidates& candidates) const {
+        Spot around[9];
+        for (int i = 0; i < 9; ++i) {
+            around[i] = spot_of(land_.places[at + offset(kNeighbours[i])]);
+            add(seen_from(around[i], kNeighbours[i]), 1.0f, types, candidates);
+        }
+        for (int i = 0; i < 9; ++i)
+            add(seen_from(match_of(around[i]), kNeighbours[i]), kappa_, types,
+                candidates);
     }
 
-    // Eq. 7 with h in closed form, in thirds of the database's unit.
-    void score(const Spot& spot, float kappa, Contest& contest) const {
+    // Scores come later, so that what they read can come meanwhile.
+    void add(const Spot& spot, float kappa, TypeSet types, Candidates& all) const {
+        for (int i = 0; i < all.count; ++i)
+            if (all.spots[std::size_t(i)] == spot) return;
+        if (!may_be_used(spot, types)) return;
+        read_.fetch(spot.moved({-cell_, -cell_}));
+        read_.fetch(spot.moved({-cell_, cell_}));
+        all.spots[std::size_t(all.count)] = spot;
+        all.kappas[std::size_t(all.count++)] = kappa;
+    }
+
+    // How a place's neighbourhood differs from N_S, in thirds of the database's unit:
+    // the height by which it lies off, and the rest of eq. 7 without it.
+    struct Difference {
+        float height, rest;
+    };
+    Difference difference(const Spot& spot, const Around& around) const {
         Float4 d[4];
         for (int i = 0; i < 4; ++i) {
             const Step s = kTurns(spot.orientation, kDiagonals[i].x * cell_,
                                   kDiagonals[i].y * cell_);
             d[i] = __builtin_convertvector(
-                contest.around.corners[i] -
-                    3 * read_.template at<kSnapped>(spot.moved(s)),
+                around.corners[i] - 3 * read_.template at<kSnapped>(spot.moved(s)),
                 Float4);
         }
         const float mean = ((d[0][0] + d[2][0]) + (d[1][0] + d[3][0])) * 0.25f;
         const Float4 level{mean, 0.0f, 0.0f, 0.0f};
         for (Float4& corner : d) corner -= level;
         const Float4 squares = (d[0] * d[0] + d[2] * d[2]) + (d[1] * d[1] + d[3] * d[3]);
-        float sum = (squares[0] + squares[2]) + (squares[1] + squares[3]);
+        return {mean, (squares[0] + squares[2]) + (squares[1] + squares[3])};
+    }
+
+    // Eq. 7 with h in closed form.
+    void score(const Spot& spot, float kappa, Contest& contest) const {
+        const auto [mean, rest] = difference(spot, contest.around);
         const float price = contest.price;
-        sum = kappa * (sum + 4.0f * price / (4.0f + price) * mean * mean);
+        const float sum = kappa * (rest + 4.0f * price / (4.0f + price) * mean * mean);
         if (sum >= contest.score) return;
         contest.score = sum;
         contest.spot = spot;
         contest.offset = static_cast<std::int32_t>(
             std::lrintf(4.0f / (4.0f + price) * mean * (1.0f / 3.0f)));
+    }
+
+    // Of land that is to stay, at the height that it has: else a small change of height
+    // anywhere would move all the land by a little.
+    void score_kept(std::size_t at, float weight, Contest& contest) const {
+        const Spot spot = spot_of(kept_.places[at]);
+        const auto [mean, rest] = difference(spot, contest.around);
+        const float offset = 3.0f * static_cast<float>(kept_.offsets[at]);
+        contest.score = weight * (rest + 4.0f * (mean - offset) * (mean - offset) +
+                                  contest.price * offset * offset);
+        contest.spot = spot;
+        contest.offset = kept_.offsets[at];
     }
 
     // Land that constraints hold up pays nothing for its height.
@@ -219,9 +269,9 @@ class Pass {
     }
 
     // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
-    void seed(int x, int y, Contest& contest) const {
+    void seed(int x, int y, TypeSet types, Contest& contest) const {
         for (int t = 0; t < kMostTypes; ++t) {
-            if (!(contest.types >> t & 1u)) continue;
+            if (!(types >> t & 1u)) continue;
             const auto& seeds = level_.seeds[std::size_t(t)];
             for (int i = 0; i < kSeedsOfType && !seeds.empty(); ++i) {
                 const std::uint64_t h =
@@ -259,6 +309,8 @@ class Pass {
     const AppearanceReader read_;
     const int cell_, width_;
     const float kappa_, price_;
+    const int border_;
+    std::vector<char> has_voids_;  // of each exemplar
 };
 
 template <bool kSnapped>
@@ -301,9 +353,11 @@ void lift(Synthesis& land, const Database& database, const Asked& asked,
     });
     const Field<float> rise = residual_correction(
         asked.pulls, heights, database.spacing * double(1 << w.level));
-    for (std::size_t i = 0; i < rise.size(); ++i)
-        if (kept.weights.empty() || kept.weights[i] > 0.0f)
-            land.offsets[i] += static_cast<std::int32_t>(std::lrintf(rise[i] / unit));
+    for (std::size_t i = 0; i < rise.size(); ++i) {
+        land.offsets[i] += static_cast<std::int32_t>(std::lrintf(rise[i] / unit));
+        if (!kept.weights.empty() && kept.weights[i] == 0.0f)
+            land.offsets[i] = kept.offsets[i];
+    }
 }
 
 }  // namespace cydonia::texture

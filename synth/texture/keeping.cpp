@@ -68,11 +68,11 @@ Kept Keeping::kept(const Window& window, int pass) {
         windows_[level] = window;
         run_.asked[level] = asked_of(guidance_, pasted, window);
     }
-    if (!last_ || level >= last_->passes.size() ||
-        std::size_t(pass) >= last_->passes[level].size())
+    if (!last_ || level >= last_->passes.size() || last_->passes[level].empty())
         return pasted;
 
-    const Synthesis& last = last_->passes[level][std::size_t(pass)];
+    const std::vector<Synthesis>& passes = last_->passes[level];
+    const Synthesis& last = passes[std::min(std::size_t(pass), passes.size() - 1)];
     Kept kept{{window.width, window.height, 1.0f},
               {window.width, window.height},
               {window.width, window.height}};
@@ -101,7 +101,6 @@ Kept Keeping::kept(const Window& window, int pass) {
 
 const Run& Keeping::finished(std::uint64_t database) {
     run_.database = database;
-    // Of every level as large as its passes; of the finest nothing is asked.
     return run_;
 }
 

@@ -54,13 +54,13 @@ struct Curve {
     std::string name;
     std::vector<Place2> points;  // passed through smoothly; one of points and drawing
     // Every path of a drawing whose page lies over the terrain, or the one with `id`.
-    std::optional<Source> drawing;
-    std::string id;
+    std::optional<Source> drawing = {};
+    std::string id = {};
     double height = 0.0;  // where no handle says otherwise
     bool relative = false;
     std::array<double, 2> gradient{0.0, 0.0};
     std::array<Length, 2> area{of_width(0.05), of_width(0.05)};
-    std::vector<Handle> handles;
+    std::vector<Handle> handles = {};
 };
 
 // Section 5.3: a region taken from an exemplar or from this terrain as it is without
@@ -72,8 +72,8 @@ struct Paste {
     Place2 to{of_width(0.5), of_width(0.5)};  // where that centre comes to lie
     // The region around `from`: a disc, or a polygon (metres east and north of it). With
     // neither the whole exemplar.
-    Length radius;
-    std::vector<std::array<double, 2>> outline;
+    Length radius = {};
+    std::vector<std::array<double, 2>> outline = {};
     double raise = 0.0;   // metres added to its heights
     int turn = 0;         // quarter turns clockwise, of an exemplar's region
     bool mirror = false;  // east for west before it is turned

@@ -175,7 +175,8 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
     offset = 0;
     if (patch.exemplar == 0) {
         // The land of the cell that it falls into, from as far beside that one's middle.
-        const Synthesis& land = patch.land[std::size_t(window.level)][std::size_t(pass)];
+        const std::vector<Synthesis>& passes = patch.land[std::size_t(window.level)];
+        const Synthesis& land = passes[std::min(std::size_t(pass), passes.size() - 1)];
         const int i = (from.x >> (window.level + 1)) - land.window.x;
         const int j = (from.y >> (window.level + 1)) - land.window.y;
         if (!land.places.contains(i, j)) return false;

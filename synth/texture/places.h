@@ -18,6 +18,7 @@ struct Spot {
     Spot moved(Step half_cells) const {
         return {exemplar, orientation, x + half_cells.x, y + half_cells.y};
     }
+    bool operator==(const Spot&) const = default;
 };
 
 inline Spot spot_of(const Place& place) {

@@ -8,7 +8,8 @@
 namespace cydonia::texture {
 namespace {
 
-// 1 where a cell does not continue the land of its western or northern neighbour.
+// Where a cell does not continue the land of its western or its northern neighbour.
+constexpr std::uint8_t kWest = 1, kNorth = 2;
 Field<std::uint8_t> seams(const Synthesis& land) {
     const Window& w = land.window;
     const int cell = 2 << w.level;
@@ -22,28 +23,30 @@ Field<std::uint8_t> seams(const Synthesis& land) {
     parallel_for(w.height, 16, [&](int y) {
         for (int x = 0; x < w.width; ++x) {
             const std::size_t i = seam.index(x, y);
-            seam[i] = (x > 0 && !continues(i - 1, i, {1, 0})) ||
-                      (y > 0 && !continues(i - std::size_t(w.width), i, {0, 1}));
+            if (x > 0 && !continues(i - 1, i, {1, 0})) seam[i] |= kWest;
+            if (y > 0 && !continues(i - std::size_t(w.width), i, {0, 1}))
+                seam[i] |= kNorth;
         }
     });
     return seam;
 }
 
-// 1 where anything within kReadOut cells does not continue the cell's own land: seams
-// are between a cell and the one before it, so they reach one less that way.
+// Not 0 where the cells within kReadOut are not all of one land. The seam before the
+// first of them is none of theirs.
 Field<std::uint8_t> near_seams(const Field<std::uint8_t>& seam) {
     Field<std::uint8_t> rows(seam.width(), seam.height());
     Field<std::uint8_t> near(seam.width(), seam.height());
     parallel_for(seam.height(), 16, [&](int y) {
         for (int x = kReadOut; x < seam.width() - kReadOut; ++x) {
-            std::uint8_t any = 0;
-            for (int d = -kReadOut; d <= kReadOut; ++d) any |= seam(x + d, y);
+            std::uint8_t any = seam(x - kReadOut, y) & kNorth;
+            for (int d = 1 - kReadOut; d <= kReadOut; ++d) any |= seam(x + d, y);
             rows(x, y) = any;
         }
     });
     parallel_for(seam.height() - 2 * kReadOut, 16, [&](int row) {
         const int y = row + kReadOut;
-        for (int d = -kReadOut; d <= kReadOut; ++d)
+        for (int x = 0; x < seam.width(); ++x) near(x, y) = rows(x, y - kReadOut) & kWest;
+        for (int d = 1 - kReadOut; d <= kReadOut; ++d)
             for (int x = 0; x < seam.width(); ++x) near(x, y) |= rows(x, y + d);
     });
     return near;

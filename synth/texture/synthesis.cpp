@@ -65,6 +65,10 @@ Synthesis cut(const Synthesis& land, const Window& window) {
     return part;
 }
 
+Kept kept_at(const Guidance& guidance, const Window& window, int pass) {
+    return guidance.kept ? guidance.kept(window, pass) : Kept{};
+}
+
 }  // namespace
 
 Synthesis synthesised(const Database& database, const Controls& controls,
@@ -92,13 +96,18 @@ Synthesis synthesised(const Database& database, const Controls& controls,
                           guidance.types && !is_snapped(level, controls)
                               ? guidance.types(w)
                               : Field<TypeSet>()};
-        for (int pass = 0; pass < kPasses; ++pass) {
-            const Kept kept = guidance.kept ? guidance.kept(w, pass) : Kept{};
-            correct(land, database, controls, asked, kept, pass);
-            if (pass == kPasses - 1 && guidance.pulls) lift(land, database, asked, kept);
+        const auto note = [&] {
             if (record) (*record)[std::size_t(level)].push_back(land);
+        };
+        for (int pass = 0; pass < kPasses; ++pass) {
+            correct(land, database, controls, asked, kept_at(guidance, w, pass), pass);
+            note();
             done += double(w.width) * w.height / (kPasses * cells);
             progress.report(done);
+        }
+        if (guidance.pulls) {
+            lift(land, database, asked, kept_at(guidance, w, kPasses));
+            note();
         }
     }
     return cut(land, window);

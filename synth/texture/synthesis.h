@@ -31,7 +31,8 @@ struct Synthesis {
     Field<std::int32_t> offsets;  // V, in Database::unit
 };
 
-// Land that is to stay (section 5.3), for a window and a pass: as one more candidate.
+// Land that is to stay (section 5.3), for a window and a pass: as one more candidate. The
+// pass after the last is what points and curves then lift.
 struct Kept {
     Field<float> weights;  // W: 0 exactly this land, 1 none of it; empty: none anywhere
     Field<Place> places;
@@ -45,7 +46,8 @@ struct Guidance {
     std::function<Kept(const Window&, int pass)> kept;
 };
 
-// What each correction pass left behind, by level and pass.
+// What each correction pass left behind, by level and pass; where there are points and
+// curves, then what they made of it.
 using Recording = std::vector<std::vector<Synthesis>>;
 
 struct Controls {

@@ -111,10 +111,9 @@ Field<float> tile(const Options& options, const Extent& extent, const Context& c
                   int x, int y, int width, int height) {
     const Maker maker(options, extent, context);
     context.progress->step("texture: synthesis");
-    const Synthesis land = synthesised(maker.database(), maker.controls(),
-                                       maker.guidance(),
-                                       maker.window_of(x, y, width, height), nullptr,
-                                       *context.progress);
+    const Synthesis land =
+        synthesised(maker.database(), maker.controls(), maker.guidance(),
+                    maker.window_of(x, y, width, height), nullptr, *context.progress);
     return maker.heights(land, x, y, width, height);
 }
 
