@@ -95,6 +95,19 @@ TEST(Patches, BlocksThatAnyCellIsFromAreUsed) {
     EXPECT_DOUBLE_EQ(patch_figures(Sheets(2), places).used, 0.25);
 }
 
+TEST(Patches, CellsOfACoarserLevelAreWider) {
+    Field<Place> places(12, 10);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 12; ++x)
+            places(x, y) = place_of({0, 0, 8 * x + 4, 8 * y + 4});
+    Sheets coarse(1);
+    coarse.levels.resize(3, coarse.levels[0]);
+    EXPECT_EQ(patch_figures(coarse, places, 2).patches, 1);
+    EXPECT_EQ(patch_figures(coarse, places, 2).used, 0.25);  // of the 32 x 32 cells there
+    EXPECT_EQ(patch_figures(coarse, places, 0).patches, 120);
+    EXPECT_EQ(source_map(coarse, places, 2)(11, 0)[0], 255 * 11 / 31);
+}
+
 TEST(Patches, NoCellsAtAll) {
     EXPECT_EQ(patch_figures(Sheets(1), {}).patches, 0);
     EXPECT_TRUE(source_map(Sheets(1), {}).empty());
