@@ -2,8 +2,8 @@
 // coarser level, handed on between neighbours as in Barnes et al., "PatchMatch: a
 // randomized correspondence algorithm for structural image editing", 2009 (He and Sun,
 // "Computing nearest-neighbor fields via propagation-assisted KD-trees", 2012, join them
-// likewise). On eight models it comes within 4 to 15% of the best there is where
-// PatchMatch alone, for as long, is 70% off.
+// likewise). On models of a million cells matches are 5 to 9% less alike (RMS) than the
+// best there are; by PatchMatch alone, for as long, 70%.
 #include "synth/texture/matches.h"
 
 #include <algorithm>

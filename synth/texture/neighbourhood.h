@@ -13,9 +13,11 @@ namespace cydonia::texture {
 
 using Float4 = float __attribute__((vector_size(16)));
 
-// The cells of a neighbourhood that are compared: each tells of 5x5 around it.
+// The cells of a neighbourhood that are compared: those that correction compares (eq. 4)
+// and the middle one; each tells of 5x5 around it. Wider ones, and more of them, made the
+// synthesis repeat itself a little more.
 inline constexpr std::array<Step, 5> kCompared = {
-    {{0, 0}, {-2, -2}, {2, -2}, {-2, 2}, {2, 2}}};
+    {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 inline constexpr float kComparedCells = kCompared.size();
 
 // What those cells show, with heights above the middle one's.
