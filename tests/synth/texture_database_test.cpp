@@ -167,8 +167,8 @@ TEST_F(Databases, DamagedOnesAreMadeAgain) {
 TEST_F(Databases, OtherVersionsAndKeysAreNotTaken) {
     database();
     std::string other = bytes();
-    *std::find(other.begin(), other.end(), '\0') = '2';
-    expect_rebuilt(other, "version 12");
+    *std::find(other.begin(), other.end(), '\0') = '0';
+    expect_rebuilt(other, "another version");
     EXPECT_EQ(mapped_database(file(), database_key(options_) + 1), nullptr);
     EXPECT_EQ(mapped_database(cache_, 1), nullptr);  // a folder
     EXPECT_EQ(mapped_database(cache_ / "none.db", 1), nullptr);
