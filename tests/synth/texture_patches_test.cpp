@@ -9,11 +9,11 @@ using namespace cydonia::texture;
 
 namespace {
 
-// Exemplars of 32 x 32 cells, of which only the size is known.
+// Square exemplars, of which only the size is known.
 class Sheets : public Database {
   public:
-    explicit Sheets(int count)
-        : sheets_(static_cast<std::size_t>(count), {32, 32, 32, 0}) {
+    explicit Sheets(int count, int side = 32)
+        : sheets_(static_cast<std::size_t>(count), {side, side, side, 0}) {
         levels.resize(1);
         levels[0].sheets = sheets_;
     }
@@ -71,7 +71,7 @@ TEST(Patches, AnotherExemplarOrAnotherWayToLayItIsASeam) {
     lay(places, 0, 4, {0, 0}, 0);
     lay(places, 4, 8, {0, 0}, 1);
     EXPECT_EQ(patch_figures(Sheets(2), places).patches, 2);
-    lay(places, 4, 8, {24, 0}, 0, 4);
+    lay(places, 4, 8, {8, 0}, 0, 4);  // begins where the other ends, and runs back
     EXPECT_EQ(patch_figures(Sheets(2), places).patches, 2);
 }
 
@@ -93,6 +93,12 @@ TEST(Patches, BlocksThatAnyCellIsFromAreUsed) {
     EXPECT_DOUBLE_EQ(patch_figures(Sheets(1), places).used, 0.5);
     places(1, 0) = place(1, 0, 16, 15);
     EXPECT_DOUBLE_EQ(patch_figures(Sheets(2), places).used, 0.25);
+}
+
+TEST(Patches, BlocksThatAnExemplarEndsWithinDoNotCount) {
+    Field<Place> places(2, 1, place(0, 0, 0, 0));
+    places(1, 0) = place(0, 0, 36, 20);
+    EXPECT_DOUBLE_EQ(patch_figures(Sheets(1, 40), places).used, 0.25);
 }
 
 TEST(Patches, CellsOfACoarserLevelAreWider) {
