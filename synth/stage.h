@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <string_view>
 #include <variant>
 
@@ -62,11 +61,8 @@ inline std::string_view whole_because(const StageOptions& options) {
             return "its shadows fall across the whole land";
         }
         Reason operator()(const texture::Options& o) const {
-            const auto of_terrain = [](const texture::Paste& p) { return !p.exemplar; };
             if (o.breach) return "breach follows channels across the whole land";
             if (o.coherent) return "coherent keeps to the whole land of the last run";
-            if (std::ranges::any_of(o.pastes, of_terrain))
-                return "a paste takes its region from the land itself";
             return {};
         }
     };
