@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "field/field.h"
@@ -29,12 +33,12 @@ struct LevelArrays {
     Level view() const;
 };
 
-// Cells along a sheet's sides from which no land is taken: a candidate's neighbourhood and
-// its neighbours' must be there. Coarse levels do with less, where a cell is wide: three
-// of level 6 would be half of many an exemplar (bench/realism.sh).
-inline int border_of(int level) { return std::max(1, std::min(3, 5 - level)); }
+// Cells along a sheet's sides from which no land is taken: a candidate's neighbourhood
+// and its neighbours' must be there. Coarse levels do with less, where a cell is wide:
+// three of level 6 would be half of many an exemplar (bench/realism.sh).
+constexpr int border_of(int level) { return std::clamp(5 - level, 1, 3); }
 // The shortest side of an exemplar that leaves a neighbourhood of 5x5 inside its borders.
-inline constexpr int kShortestSide = 5 + 2 * 3;
+inline constexpr int kShortestSide = 5 + 2 * border_of(0);
 
 inline constexpr int kLongestSide = 16384;  // of an exemplar, cells
 inline constexpr int kMostLevels = 15;

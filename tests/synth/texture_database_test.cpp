@@ -310,6 +310,24 @@ TEST_F(Databases, TypesWithoutLandAreNamedEachTime) {
                   std::string::npos);
 }
 
+TEST_F(Databases, TypesAreFoundInTheLand) {
+    // Calm in the west, rugged in the east.
+    Field<float> heights = rough(128, 96);
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 64; ++x) heights(x, y) *= 0.02f;
+    options_.exemplars = {exemplar_of(folder_, "a.tif", heights)};
+    options_.types = {{"calm", {1, 2, 3}}, {"rugged", {4, 5, 6}}};
+    options_.automatic_types = true;
+    const auto made = database();
+    const Level& level = made->levels[0];
+    EXPECT_EQ(level.types[level.sheets[0].index(30, 50)], 0);
+    int rugged = 0;
+    for (int y = 10; y < 86; ++y)
+        for (int x = 74; x < 118; ++x) rugged += level.types[level.sheets[0].index(x, y)];
+    EXPECT_GT(rugged, 76 * 44 / 2);
+    EXPECT_TRUE(listener_.warnings.empty());
+}
+
 TEST_F(Databases, VoidsThatLeaveNoLand) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     const Field<float> heights = heights_of(

@@ -42,13 +42,18 @@ TEST(Pyramid, GuardRepeatsTheBorder) {
 }
 
 TEST(Pyramid, NothingFromBorders) {
-    const auto pyramid = pyramid_of({land_of(rough(64, 64))}, 2);
-    for (const LevelArrays& level : pyramid)
-        for (int x = 0; x < level.sheets[0].width; ++x) {
-            const bool border = x < 3 || x >= level.sheets[0].width - 3;
-            EXPECT_EQ(type_at(level, x, 9) == kNowhere, border) << x;
-            EXPECT_EQ(type_at(level, 9, x) == kNowhere, border) << x;
+    constexpr int kBorders[] = {3, 3, 3, 2, 1, 1};
+    const auto pyramid = pyramid_of({land_of(rough(256, 256))}, 6);
+    ASSERT_EQ(pyramid.size(), 6u);
+    for (std::size_t i = 0; i < pyramid.size(); ++i) {
+        const LevelArrays& level = pyramid[i];
+        const int side = level.sheets[0].width;
+        for (int x = 0; x < side; ++x) {
+            const bool border = x < kBorders[i] || x >= side - kBorders[i];
+            EXPECT_EQ(type_at(level, x, side / 2) == kNowhere, border) << i << ' ' << x;
+            EXPECT_EQ(type_at(level, side / 2, x) == kNowhere, border) << i << ' ' << x;
         }
+    }
 }
 
 TEST(Pyramid, NothingWithinTwoAndAHalfCellsOfVoids) {
