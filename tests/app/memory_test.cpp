@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "field/dem.h"
 #include "field/error.h"
+#include "tests/app/program.h"
 
 using namespace cydonia;
 
@@ -24,6 +26,30 @@ TEST(Memory, RemembersNoPassesOfAPreviewAndNotAllOfALargeOne) {
     options.preview = true;
     EXPECT_EQ(small - needed(512 * 512), 2 * 200 * 512 * 512u);
     EXPECT_EQ(large - needed(4096 * 4096), 2 * 268'000'000u);
+}
+
+TEST(Memory, OfLandFromExemplarsGrowsWithThemToo) {
+    const test::TemporaryFolder folder;
+    write_geotiff(folder / "a.tif", {Field<float>(1000, 800), 30.0, {}, {}, {}});
+    texture::Options options;
+    const auto needed = [&](std::uint64_t cells) {
+        return memory::of_stage(options, cells, 2);
+    };
+    const std::uint64_t without = needed(2048 * 2048), little = needed(1);
+    options.exemplars.push_back({open_source(folder / "a.tif"), {}, {}});
+    EXPECT_EQ(needed(2048 * 2048) - without, 43 * 800'000u);
+    EXPECT_NEAR(double(needed(1) - little), 130 * 800'000, 100);
+    const std::uint64_t free = needed(2048 * 2048);
+    options.coherent = true;
+    EXPECT_EQ(needed(2048 * 2048) - free, 32 * 2048 * 2048u);
+}
+
+TEST(Memory, OfATileIsThatOfItsSizeWhateverTheLandHas) {
+    const StageOptions stage = texture::Options{};
+    const std::uint64_t tile = memory::of_tile(stage, 2048, 2048, 2);
+    EXPECT_GT(tile, memory::of_stage(stage, 2048 * 2048, 2));
+    EXPECT_LT(tile, 1'000'000'000u);
+    EXPECT_LT(memory::of_tile(stage, 256, 256, 2), tile);
 }
 
 TEST(Memory, TheMachineHasSome) {
