@@ -103,11 +103,11 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                    16 * cells;
         }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
-        // the land after that; a recording of all passes for the next run.
+        // the land after that; 191 with recordings of all passes, for and of a run.
         std::uint64_t operator()(const texture::Options& o) const {
             const std::uint64_t exemplars = exemplar_cells(o);
             return std::max(130 * exemplars,
-                            43 * exemplars + (o.coherent ? 112 : 80) * cells);
+                            43 * exemplars + (o.coherent ? 215 : 80) * cells);
         }
         // Reading an image comes before solving for all of them.
         std::uint64_t operator()(const pareidolia::Options& o) const {

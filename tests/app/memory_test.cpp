@@ -41,7 +41,7 @@ TEST(Memory, OfLandFromExemplarsGrowsWithThemToo) {
     EXPECT_NEAR(double(needed(1) - little), 130 * 800'000, 100);
     const std::uint64_t free = needed(2048 * 2048);
     options.coherent = true;
-    EXPECT_EQ(needed(2048 * 2048) - free, 32 * 2048 * 2048u);
+    EXPECT_EQ(needed(2048 * 2048) - free, 135 * 2048 * 2048u);
 }
 
 TEST(Memory, OfATileIsThatOfItsSizeWhateverTheLandHas) {
