@@ -74,7 +74,7 @@ class Pass {
         const std::size_t at = land_.places.index(x, y);
         const float weight = kept_.weights.empty() ? 1.0f : kept_.weights[at];
         if (weight == 0.0f) return keep(at);
-        if (kSnapped && settled(at)) return;
+        if (kSnapped && settled(at, weight)) return;
 
         const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
         Candidates candidates;
@@ -116,27 +116,31 @@ class Pass {
 
     std::ptrdiff_t offset(Step s) const { return std::ptrdiff_t(s.y) * width_ + s.x; }
 
-    // Whether all that the score looks at continues this cell's land at its height: then
-    // the score is 0 and cannot be beaten.
-    bool settled(std::size_t at) const {
+    // Whether all that the score looks at continues this cell's land: then no other comes
+    // nearer, and only the height is left to solve for.
+    bool settled(std::size_t at, float weight) const {
         const Place own = land_.places[at];
-        const std::int32_t height = land_.offsets[at];
         const Step e = kTurns.east[own.orientation()],
                    s = kTurns.south[own.orientation()];
         bool same = true;
-        const auto continues = [&](int dx, int dy) {
+        std::int64_t heights = 0;
+        const auto look = [&](int dx, int dy) {
             const std::size_t there = at + offset({dx, dy});
             const Place p = land_.places[there];
             same &= p.x == own.x + std::uint32_t((e.x * dx + s.x * dy) * cell_);
             same &= p.y == own.y + std::uint32_t((e.y * dx + s.y * dy) * cell_);
-            same &= land_.offsets[there] == height;
+            heights += land_.offsets[there];
         };
         for (const Step d : kDiagonals) {
-            continues(d.x, d.y);
-            continues(2 * d.x, d.y);
-            continues(d.x, 2 * d.y);
+            look(d.x, d.y);
+            look(2 * d.x, d.y);
+            look(d.x, 2 * d.y);
             if (!same) return false;
         }
+        const bool kept = weight < 1.0f && kept_.places[at] == own;
+        land_.offsets[at] = kept ? kept_.offsets[at]
+                                 : static_cast<std::int32_t>(std::lrintf(
+                                       static_cast<float>(heights) * (1.0f / 12.0f)));
         return true;
     }
 
@@ -217,25 +221,33 @@ class Pass {
     struct Difference {
         float height, rest;
     };
-    Difference difference(const Spot& spot, const Around& around) const {
+    // Without the second half of the work where the rest is `enough` already.
+    Difference difference(const Spot& spot, const Around& around, float enough) const {
         Float4 d[4];
-        for (int i = 0; i < 4; ++i) {
+        const auto corner = [&](int i) {
             const Step s = kTurns(spot.orientation, kDiagonals[i].x * cell_,
                                   kDiagonals[i].y * cell_);
             d[i] = __builtin_convertvector(
                 around.corners[i] - 3 * read_.template at<kSnapped>(spot.moved(s)),
                 Float4);
-        }
+        };
+        corner(0);
+        corner(1);
+        const Float4 half = d[0] * d[0] + d[1] * d[1];
+        const float least = (half[1] + half[2]) + half[3];
+        if (least >= enough) return {0.0f, least};
+        corner(2);
+        corner(3);
         const float mean = ((d[0][0] + d[2][0]) + (d[1][0] + d[3][0])) * 0.25f;
         const Float4 level{mean, 0.0f, 0.0f, 0.0f};
-        for (Float4& corner : d) corner -= level;
+        for (Float4& of : d) of -= level;
         const Float4 squares = (d[0] * d[0] + d[2] * d[2]) + (d[1] * d[1] + d[3] * d[3]);
         return {mean, (squares[0] + squares[2]) + (squares[1] + squares[3])};
     }
 
     // Eq. 7 with h in closed form.
     void score(const Spot& spot, float kappa, Contest& contest) const {
-        const auto [mean, rest] = difference(spot, contest.around);
+        const auto [mean, rest] = difference(spot, contest.around, contest.score / kappa);
         const float price = contest.price;
         const float sum = kappa * (rest + 4.0f * price / (4.0f + price) * mean * mean);
         if (sum >= contest.score) return;
@@ -249,7 +261,8 @@ class Pass {
     // anywhere would move all the land by a little.
     void score_kept(std::size_t at, float weight, Contest& contest) const {
         const Spot spot = spot_of(kept_.places[at]);
-        const auto [mean, rest] = difference(spot, contest.around);
+        const auto [mean, rest] =
+            difference(spot, contest.around, std::numeric_limits<float>::infinity());
         const float offset = 3.0f * static_cast<float>(kept_.offsets[at]);
         contest.score = weight * (rest + 4.0f * (mean - offset) * (mean - offset) +
                                   contest.price * offset * offset);

@@ -10,11 +10,14 @@
 namespace cydonia::texture {
 namespace {
 
+// Spacings that differ by less are one: land is not resampled for a hundredth.
+constexpr double kSameSpacing = 0.01;
+
 // The exemplars' cells, halved in number as often as they stay as fine as the samples: so
 // the same extent with fewer samples is the same land, left at a coarser level.
 int finest_level(const Database& database, double spacing) {
     const int most = static_cast<int>(database.levels.size()) - 1;
-    const double steps = std::log2(spacing / database.spacing * (1.0 + 1e-6));
+    const double steps = std::log2(spacing / database.spacing * (1.0 + kSameSpacing));
     return std::clamp(static_cast<int>(std::floor(steps)), 0, most);
 }
 
@@ -36,7 +39,7 @@ class Natural {
             const Guidance& guidance, Progress& progress) {
         controls.finest = std::min(controls.finest + kFinestGuided,
                                    static_cast<int>(database.levels.size()) - 1);
-        cell_ = database.spacing * (1 << controls.finest);
+        cell_ = ground.spacing * (1 << controls.finest);
         depth_ = ground.depth;
         const Window window = Window{controls.finest, 0, 0,
                                      static_cast<int>(std::ceil(ground.width / cell_)),
@@ -69,7 +72,10 @@ Maker::Maker(const Options& options, const Extent& extent, const Context& contex
     controls_ = controls_of(options, context.seed, finest);
     ground_ = {extent.width(), extent.depth(), database_->spacing};
     ratio_ = extent.spacing / (database_->spacing * (1 << finest));
-    if (std::abs(ratio_ - 1.0) < 1e-6) ratio_ = 1.0;
+    if (std::abs(ratio_ - 1.0) < kSameSpacing) {
+        ratio_ = 1.0;
+        ground_.spacing = extent.spacing / (1 << finest);
+    }
     if (ratio_ < 1.0)
         progress_.warn(fmt::format(
             "texture: the exemplars' cells are {:.4g} m and the terrain's {:.4g} m: land "
