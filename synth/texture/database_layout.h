@@ -24,7 +24,7 @@ struct Head {
 };
 
 // The last number is raised when the same options give another database.
-inline constexpr char kMagic[32] = "cydonia exemplars 3";
+inline constexpr char kMagic[32] = "cydonia exemplars 4";
 inline constexpr std::size_t kAligned = 64;
 static_assert(sizeof(Head) % kAligned == 0);
 
