@@ -23,29 +23,55 @@ class AppearanceReader {
         }
     }
 
+    // A place that neighbours are read around: for snapped ones all that does not depend
+    // on the neighbour.
+    struct Around {
+        Spot spot;
+        const Appearance* cell = nullptr;
+        std::ptrdiff_t east = 0, south = 0;  // cells to the terrain's neighbours
+    };
     template <bool kSnapped>
-    Int4 at(const Spot& spot) const {
+    Around around(const Spot& spot) const {
+        if constexpr (!kSnapped) return {spot};
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
-        const Int4 a = kSnapped ? whole(sheet, spot) : between(sheet, spot);
-        return spot.orientation == 0 ? a : laid_down(a, spot.orientation);
+        const Step e = kTurns.east[spot.orientation], s = kTurns.south[spot.orientation];
+        return {
+            spot,
+            &level_
+                 .appearance[sheet.index(spot.x >> (index_ + 1), spot.y >> (index_ + 1))],
+            std::ptrdiff_t(e.y) * sheet.stride + e.x,
+            std::ptrdiff_t(s.y) * sheet.stride + s.x};
     }
 
-    // Soon to be read.
-    void fetch(const Spot& spot) const {
-        const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
-        __builtin_prefetch(&level_.appearance[sheet.index(spot.x >> (index_ + 1),
-                                                          spot.y >> (index_ + 1))]);
+    // What the terrain sees x cells east and y south of it.
+    template <bool kSnapped>
+    Int4 at(const Around& place, int x, int y) const {
+        const int o = place.spot.orientation;
+        Int4 a;
+        if constexpr (kSnapped) {
+            a = whole(place.cell + x * place.east + y * place.south);
+        } else {
+            const Spot there =
+                place.spot.moved(kTurns(o, x << (index_ + 1), y << (index_ + 1)));
+            a = between(level_.sheets[std::size_t(there.exemplar)], there);
+        }
+        return o == 0 ? a : laid_down(a, o);
+    }
+
+    // Soon to be read around.
+    void fetch(const Around& place) const {
+        if (!place.cell) return;
+        __builtin_prefetch(place.cell - place.south);
+        __builtin_prefetch(place.cell + place.south);
     }
 
   private:
-    Int4 cell(std::size_t index) const {
+    static Int4 whole(const Appearance* cell) {
         Short4 a;
-        std::memcpy(&a, &level_.appearance[index], sizeof a);
+        std::memcpy(&a, cell, sizeof a);
         return __builtin_convertvector(a, Int4);
     }
-    Int4 whole(const Sheet& sheet, const Spot& spot) const {
-        return cell(sheet.index(spot.x >> (index_ + 1), spot.y >> (index_ + 1)));
-    }
+    Int4 cell(std::size_t index) const { return whole(&level_.appearance[index]); }
     // Bilinear, with weights of 64 parts each way.
     Int4 between(const Sheet& sheet, const Spot& spot) const {
         const int x = spot.x - (1 << index_), y = spot.y - (1 << index_);

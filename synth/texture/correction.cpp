@@ -82,9 +82,10 @@ class Pass {
         Contest contest(neighbourhood(at), price_at(at));
         if (weight < 1.0f && may_be_used(spot_of(kept_.places[at]), types))
             score_kept(at, weight, contest);
-        for (int i = 0; i < candidates.count; ++i)
-            score(candidates.spots[std::size_t(i)], candidates.kappas[std::size_t(i)],
-                  contest);
+        for (int i = 0; i < candidates.count; ++i) {
+            const Candidate& candidate = candidates.all[std::size_t(i)];
+            score(candidate.around, candidate.kappa, contest);
+        }
         if (contest.nothing() && types != kAnyType) seed(x, y, types, contest);
         if (contest.nothing()) return;
         land_.places[at] = place_of(contest.spot);
@@ -97,11 +98,17 @@ class Pass {
     struct Around {
         Int4 corners[4];
     };
+    using Reading = AppearanceReader::Around;
     // Q of eq. 3, each once, with what its score is multiplied by.
+    struct Candidate {
+        Place place;
+        Reading around;
+        float kappa;
+    };
     struct Candidates {
         int count = 0;
-        std::array<Spot, kMostCandidates> spots;
-        std::array<float, kMostCandidates> kappas;
+        std::array<Candidate, kMostCandidates> all;
+        Candidates() {}
     };
     struct Contest {
         Contest(const Around& a, float p) : around(a), price(p) {}
@@ -146,9 +153,9 @@ class Pass {
 
     // g of eq. 5: the appearance at one cell as its neighbour at -v sees it.
     Int4 seen(std::size_t there, Step v) const {
-        const Spot spot = spot_of(land_.places[there]);
-        const Step back = kTurns(spot.orientation, -v.x * cell_, -v.y * cell_);
-        Int4 a = read_.template at<kSnapped>(spot.moved(back));
+        const Reading around =
+            read_.template around<kSnapped>(spot_of(land_.places[there]));
+        Int4 a = read_.template at<kSnapped>(around, -v.x, -v.y);
         a[0] += land_.offsets[there];
         return a;
     }
@@ -164,16 +171,23 @@ class Pass {
         return around;
     }
 
+    const Match* match_at(const Spot& spot) const {
+        const int level = land_.window.level;
+        const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
+        return &level_.matches[sheet.index(spot.x >> (level + 1), spot.y >> (level + 1))];
+    }
     // C_2 at the place's cell; it lies in its cell as the place does in its own.
     Spot match_of(const Spot& spot) const {
         const int level = land_.window.level;
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
         const int i = spot.x >> (level + 1), j = spot.y >> (level + 1);
         const Match m = level_.matches[sheet.index(i, j)];
+        const int o = kTurns.composed[spot.orientation][m.orientation];
+        const int x = m.x * cell_ + cell_ / 2, y = m.y * cell_ + cell_ / 2;
+        if (kSnapped) return {m.exemplar, o, x, y};
         const Step within = kTurns(m.orientation, spot.x - (i * cell_ + cell_ / 2),
                                    spot.y - (j * cell_ + cell_ / 2));
-        return {m.exemplar, kTurns.composed[spot.orientation][m.orientation],
-                m.x * cell_ + cell_ / 2 + within.x, m.y * cell_ + cell_ / 2 + within.y};
+        return {m.exemplar, o, x + within.x, y + within.y};
     }
 
     // A neighbour's land, continued to this cell.
@@ -198,6 +212,9 @@ class Pass {
         Spot around[9];
         for (int i = 0; i < 9; ++i) {
             around[i] = spot_of(land_.places[at + offset(kNeighbours[i])]);
+            if (kSnapped) __builtin_prefetch(match_at(around[i]));
+        }
+        for (int i = 0; i < 9; ++i) {
             add(seen_from(around[i], kNeighbours[i]), 1.0f, types, candidates);
         }
         for (int i = 0; i < 9; ++i)
@@ -206,14 +223,14 @@ class Pass {
     }
 
     // Scores come later, so that what they read can come meanwhile.
-    void add(const Spot& spot, float kappa, TypeSet types, Candidates& all) const {
-        for (int i = 0; i < all.count; ++i)
-            if (all.spots[std::size_t(i)] == spot) return;
+    void add(const Spot& spot, float kappa, TypeSet types, Candidates& candidates) const {
         if (!may_be_used(spot, types)) return;
-        read_.fetch(spot.moved({-cell_, -cell_}));
-        read_.fetch(spot.moved({-cell_, cell_}));
-        all.spots[std::size_t(all.count)] = spot;
-        all.kappas[std::size_t(all.count++)] = kappa;
+        const Place place = place_of(spot);
+        for (int i = 0; i < candidates.count; ++i)
+            if (candidates.all[std::size_t(i)].place == place) return;
+        Candidate& next = candidates.all[std::size_t(candidates.count++)];
+        next = {place, read_.template around<kSnapped>(spot), kappa};
+        read_.fetch(next.around);
     }
 
     // How a place's neighbourhood differs from N_S, in thirds of the database's unit:
@@ -222,13 +239,13 @@ class Pass {
         float height, rest;
     };
     // Without the second half of the work where the rest is `enough` already.
-    Difference difference(const Spot& spot, const Around& around, float enough) const {
+    Difference difference(const Reading& place, const Around& around,
+                          float enough) const {
         Float4 d[4];
         const auto corner = [&](int i) {
-            const Step s = kTurns(spot.orientation, kDiagonals[i].x * cell_,
-                                  kDiagonals[i].y * cell_);
+            const Step s = kDiagonals[i];
             d[i] = __builtin_convertvector(
-                around.corners[i] - 3 * read_.template at<kSnapped>(spot.moved(s)),
+                around.corners[i] - 3 * read_.template at<kSnapped>(place, s.x, s.y),
                 Float4);
         };
         corner(0);
@@ -246,13 +263,14 @@ class Pass {
     }
 
     // Eq. 7 with h in closed form.
-    void score(const Spot& spot, float kappa, Contest& contest) const {
-        const auto [mean, rest] = difference(spot, contest.around, contest.score / kappa);
+    void score(const Reading& place, float kappa, Contest& contest) const {
+        const auto [mean, rest] =
+            difference(place, contest.around, contest.score / kappa);
         const float price = contest.price;
         const float sum = kappa * (rest + 4.0f * price / (4.0f + price) * mean * mean);
         if (sum >= contest.score) return;
         contest.score = sum;
-        contest.spot = spot;
+        contest.spot = place.spot;
         contest.offset = static_cast<std::int32_t>(
             std::lrintf(4.0f / (4.0f + price) * mean * (1.0f / 3.0f)));
     }
@@ -262,7 +280,8 @@ class Pass {
     void score_kept(std::size_t at, float weight, Contest& contest) const {
         const Spot spot = spot_of(kept_.places[at]);
         const auto [mean, rest] =
-            difference(spot, contest.around, std::numeric_limits<float>::infinity());
+            difference(read_.template around<kSnapped>(spot), contest.around,
+                       std::numeric_limits<float>::infinity());
         const float offset = 3.0f * static_cast<float>(kept_.offsets[at]);
         contest.score = weight * (rest + 4.0f * (mean - offset) * (mean - offset) +
                                   contest.price * offset * offset);
@@ -294,9 +313,9 @@ class Pass {
                              std::uint64_t(t * kSeedsOfType + i)});
                 const std::uint64_t seed = seeds[h % seeds.size()];
                 constexpr std::uint64_t kLow = (1u << 24) - 1;
-                score({int(seed >> 48), 0, int(seed & kLow) * cell_ + cell_ / 2,
-                       int(seed >> 24 & kLow) * cell_ + cell_ / 2},
-                      1.0f, contest);
+                const Spot spot{int(seed >> 48), 0, int(seed & kLow) * cell_ + cell_ / 2,
+                                int(seed >> 24 & kLow) * cell_ + cell_ / 2};
+                score(read_.template around<kSnapped>(spot), 1.0f, contest);
             }
         }
     }

@@ -91,7 +91,7 @@ struct Options {
     double vertical_scale = 1.0;  // and their heights
     int levels = 6;               // L
     int orientations = 1;         // 1, 2, 4 or 8: turned and mirrored matches
-    double jitter = 0.4;          // r of eq. 1
+    double jitter = 0.2;          // r of eq. 1; the paper has 0.4 (bench/realism.sh)
     double kappa = 2.0;           // of eq. 7, for j = 2
 
     std::vector<Type> types;

@@ -66,7 +66,8 @@ Synthesis synthesised(const Database& database, const Controls& controls,
                       Progress& progress);
 
 // Heights of a synthesis, metres, without its outermost kReadOut cells: where neighbours
-// come from one place, that place's land; across seams a cross-fade.
+// come from one place, that place's land; across seams a cross-fade, without the pits
+// that it makes.
 inline constexpr int kReadOut = 3;
 Field<float> heights_of(const Database& database, const Synthesis& synthesis);
 
