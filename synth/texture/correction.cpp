@@ -94,7 +94,7 @@ class Pass {
     }
 
   private:
-    // N_S, three times eq. 6, and where its heights would like the offset to be.
+    // N_S, three times eq. 6.
     struct Around {
         Int4 corners[4];
     };
@@ -214,9 +214,8 @@ class Pass {
             around[i] = spot_of(land_.places[at + offset(kNeighbours[i])]);
             if (kSnapped) __builtin_prefetch(match_at(around[i]));
         }
-        for (int i = 0; i < 9; ++i) {
+        for (int i = 0; i < 9; ++i)
             add(seen_from(around[i], kNeighbours[i]), 1.0f, types, candidates);
-        }
         for (int i = 0; i < 9; ++i)
             add(seen_from(match_of(around[i]), kNeighbours[i]), kappa_, types,
                 candidates);
@@ -238,7 +237,7 @@ class Pass {
     struct Difference {
         float height, rest;
     };
-    // Without the second half of the work where the rest is `enough` already.
+    // Without the second half of the work where the first makes the rest `enough`.
     Difference difference(const Reading& place, const Around& around,
                           float enough) const {
         Float4 d[4];

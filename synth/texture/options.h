@@ -44,15 +44,16 @@ struct Point {
 // others.
 struct Handle {
     double at = 0.0;  // share of the curve's length
-    std::optional<double> height;
+    std::optional<double> height = {};
     // Left and right of the way the curve runs: rise over run away from it, and radius.
-    std::optional<std::array<double, 2>> gradient;
-    std::optional<std::array<Length, 2>> area;
+    std::optional<std::array<double, 2>> gradient = {};
+    std::optional<std::array<Length, 2>> area = {};
 };
 
 struct Curve {
     std::string name;
-    std::vector<Place2> points;  // passed through smoothly; one of points and drawing
+    std::vector<Place2> points =
+        {};  // passed through smoothly; one of points and drawing
     // Every path of a drawing whose page lies over the terrain, or the one with `id`.
     std::optional<Source> drawing = {};
     std::string id = {};

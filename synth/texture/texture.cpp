@@ -9,6 +9,7 @@
 #include "synth/texture/database_file.h"
 #include "synth/texture/keeping.h"
 #include "synth/texture/maker.h"
+#include "synth/texture/places.h"
 #include "synth/texture/report.h"
 
 namespace cydonia::texture {
@@ -33,12 +34,30 @@ std::optional<Region> frozen_region(const Options& options, const Maker& maker) 
     return region_of(all, std::move(inside), maker.levels() - maker.controls().finest);
 }
 
+// Whether every place is on an exemplar: a checksum tells accidents only.
+bool all_on_exemplars(const Run& run, const Database& database) {
+    for (std::size_t level = 0; level < run.passes.size(); ++level) {
+        if (level >= database.levels.size()) return false;
+        const auto& sheets = database.levels[level].sheets;
+        for (const Synthesis& pass : run.passes[level])
+            for (const Place& place : pass.places) {
+                const Spot spot = spot_of(place);
+                if (std::size_t(spot.exemplar) >= sheets.size()) return false;
+                const Sheet& sheet = sheets[std::size_t(spot.exemplar)];
+                if (kept_inside(spot, sheet, static_cast<int>(level)) != spot)
+                    return false;
+            }
+    }
+    return true;
+}
+
 // The last run, where its places are those of the same exemplars.
-std::optional<Run> last_run(const Context& context, std::uint64_t database) {
+std::optional<Run> last_run(const Context& context, const Database& exemplars,
+                            std::uint64_t database) {
     if (!context.memory) return std::nullopt;
     std::optional<Run> last = load_run(context.memory->last);
     if (!last) return std::nullopt;
-    if (last->database == database) return last;
+    if (last->database == database && all_on_exemplars(*last, exemplars)) return last;
     context.progress->note(
         "texture: the exemplars are others than in the last run: nothing is kept of it");
     return std::nullopt;
@@ -48,8 +67,8 @@ Synthesis coherent_synthesis(const Options& options, const Maker& maker,
                              const std::optional<Region>& frozen, const Context& context,
                              const Window& window) {
     const std::uint64_t database = database_key(options);
-    Keeping keeping(maker.guidance(), last_run(context, database), frozen,
-                    maker.controls(), maker.levels());
+    Keeping keeping(maker.guidance(), last_run(context, maker.database(), database),
+                    frozen, maker.controls(), maker.levels());
     Guidance guidance = maker.guidance();
     guidance.kept = [&](const Window& w, int pass) { return keeping.kept(w, pass); };
     Synthesis land = synthesised(maker.database(), maker.controls(), guidance, window,

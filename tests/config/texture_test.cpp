@@ -46,7 +46,7 @@ TEST_F(TextureStage, OneExemplarIsEnough) {
     ASSERT_EQ(o.exemplars.size(), 1u);
     EXPECT_EQ(o.exemplars[0].source.path, folder_ / "fell.tif");
     EXPECT_EQ(o.levels, 6);
-    EXPECT_EQ(o.jitter, 0.4);
+    EXPECT_EQ(o.jitter, 0.2);
 }
 
 TEST_F(TextureStage, ExemplarsAreSortedFilesOfAPatternAmongOthers) {
