@@ -52,7 +52,7 @@ using Recording = std::vector<std::vector<Synthesis>>;
 
 struct Controls {
     std::uint64_t seed = 0;
-    double jitter = 0.4;
+    double jitter = 0.2;
     double kappa = 2.0;
     double stiffness = 0.5, pull = 0.5;  // s and lambda of eq. 8
     int orientations = 1;
