@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include "config/reader/scene.h"
 #include "field/error.h"
 #include "field/files.h"
+#include "tests/field/temporary_folder.h"
 
 namespace cydonia::config {
 
@@ -25,11 +25,9 @@ inline std::string golden_text(const std::string& name) {
 class SceneFile : public testing::Test {
   protected:
     SceneFile() {
-        std::filesystem::create_directories(folder_);
         for (const char* name : {"ridges.svg", "profile.png", "profile.csv"})
             std::filesystem::copy_file(golden_folder() / name, folder_ / name);
     }
-    ~SceneFile() override { std::filesystem::remove_all(folder_); }
 
     Scene load(const std::string& text, const std::vector<std::string>& overrides = {}) {
         std::ofstream(file_, std::ios::binary) << text;
@@ -52,8 +50,8 @@ class SceneFile : public testing::Test {
         }
     }
 
-    const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                          ("cydonia_config_" + std::to_string(getpid()));
+    const TemporaryFolder own_;
+    const std::filesystem::path folder_ = own_.path();
     const std::filesystem::path file_ = folder_ / "scene.toml";
 };
 
