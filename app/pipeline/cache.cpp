@@ -4,16 +4,13 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <system_error>
 #include <type_traits>
 #include <vector>
 
-#include "field/error.h"
-#include "field/files.h"
+#include "field/checked_file.h"
 
 namespace fs = std::filesystem;
 
@@ -169,36 +166,15 @@ fs::path cached_terrain(const fs::path& folder, std::uint64_t key) {
 }
 
 void store_terrain(const fs::path& file, const Terrain& terrain) {
-    const std::string body = packed(terrain);
-    const std::uint64_t checksum = hash_text(body);
-    write_atomically(file, [&](const fs::path& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out << kMagic;
-        out.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
-        out.write(body.data(), static_cast<std::streamsize>(body.size()));
-        out.close();
-        if (!out) {
-            throw failure("cannot write {}: {}", file.string(), std::strerror(errno));
-        }
-    });
+    write_checked(file, kMagic, packed(terrain));
 }
 
 std::optional<Terrain> load_terrain(const fs::path& file) {
-    std::error_code none;
-    const std::uintmax_t size = fs::file_size(file, none);
-    std::uint64_t checksum = 0;
-    if (none || size < kMagic.size() + sizeof checksum) return std::nullopt;
-
-    std::string bytes(size, '\0');
-    std::ifstream in(file, std::ios::binary);
-    if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) return std::nullopt;
-    if (!bytes.starts_with(kMagic)) return std::nullopt;
-    std::memcpy(&checksum, bytes.data() + kMagic.size(), sizeof checksum);
-    const std::string_view body =
-        std::string_view(bytes).substr(kMagic.size() + sizeof checksum);
-    if (hash_text(body) != checksum) return std::nullopt;
+    const std::optional<std::string> body = read_checked(file, kMagic);
+    if (!body) return std::nullopt;
     try {
-        Terrain terrain = unpacked(body);
+        Terrain terrain = unpacked(*body);
+        std::error_code none;
         fs::last_write_time(file, fs::file_time_type::clock::now(), none);
         return terrain;
     } catch (const Damaged&) {

@@ -178,15 +178,13 @@ class Pass {
     }
     // C_2 at the place's cell; it lies in its cell as the place does in its own.
     Spot match_of(const Spot& spot) const {
-        const int level = land_.window.level;
-        const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
-        const int i = spot.x >> (level + 1), j = spot.y >> (level + 1);
-        const Match m = level_.matches[sheet.index(i, j)];
+        const Match m = *match_at(spot);
         const int o = kTurns.composed[spot.orientation][m.orientation];
         const int x = m.x * cell_ + cell_ / 2, y = m.y * cell_ + cell_ / 2;
         if (kSnapped) return {m.exemplar, o, x, y};
-        const Step within = kTurns(m.orientation, spot.x - (i * cell_ + cell_ / 2),
-                                   spot.y - (j * cell_ + cell_ / 2));
+        // A cell's width is a power of two.
+        const Step within = kTurns(m.orientation, (spot.x & (cell_ - 1)) - cell_ / 2,
+                                   (spot.y & (cell_ - 1)) - cell_ / 2);
         return {m.exemplar, o, x + within.x, y + within.y};
     }
 

@@ -1,14 +1,10 @@
 #include "synth/texture/recording.h"
 
-#include <xxhash.h>
-
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <string_view>
 
-#include "field/error.h"
+#include "field/checked_file.h"
 #include "field/files.h"
 
 namespace cydonia::texture {
@@ -106,34 +102,14 @@ Run unpacked(std::string_view in) {
 
 void store_run(const std::filesystem::path& file, const Run& run) {
     make_folder(file.parent_path());
-    const std::string body = packed(run);
-    const std::uint64_t checksum = XXH3_64bits(body.data(), body.size());
-    write_atomically(file, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out << kMagic;
-        out.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
-        out.write(body.data(), std::ssize(body));
-        out.close();
-        if (!out)
-            throw failure("cannot write {}: {}", file.string(), std::strerror(errno));
-    });
+    write_checked(file, kMagic, packed(run));
 }
 
 std::optional<Run> load_run(const std::filesystem::path& file) {
-    std::error_code none;
-    const std::uintmax_t size = std::filesystem::file_size(file, none);
-    std::uint64_t checksum = 0;
-    if (none || size < kMagic.size() + sizeof checksum) return std::nullopt;
-    std::string bytes(size, '\0');
-    std::ifstream in(file, std::ios::binary);
-    if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) return std::nullopt;
-    if (!bytes.starts_with(kMagic)) return std::nullopt;
-    std::memcpy(&checksum, bytes.data() + kMagic.size(), sizeof checksum);
-    const std::string_view body =
-        std::string_view(bytes).substr(kMagic.size() + sizeof checksum);
-    if (XXH3_64bits(body.data(), body.size()) != checksum) return std::nullopt;
+    const std::optional<std::string> body = read_checked(file, kMagic);
+    if (!body) return std::nullopt;
     try {
-        return unpacked(body);
+        return unpacked(*body);
     } catch (const Damaged&) {
         return std::nullopt;
     }
