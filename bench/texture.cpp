@@ -7,9 +7,9 @@
 // five with the database loaded; of one as large as the exemplar the share of the
 // exemplar's 16x16 blocks used, the share of cells that continue one patch on all sides,
 // the cells of the patches that half the land lies in or in larger ones, and of the
-// largest; of 1024 x 1024 cells the share that shows a feature of 32 or of 64 cells that
-// is shown elsewhere too, and how many cells away the nearest is (bench/repeats.h); of
-// size x size cells slopes and heights against parts of the exemplar
+// largest, the share that shows a feature of 32 or of 64 cells that is shown elsewhere
+// too, and how many cells away the nearest is (bench/repeats.h); of size x size cells
+// slopes and heights against parts of the exemplar
 // (bench/land_figures.h), pits per 1000 and relief beside the exemplar's, and the share
 // of cells outside its heights.
 //
@@ -153,10 +153,9 @@ std::string measured(const Subject& subject, int seed, const Request& request,
     const Field<float>& model = subject.model.heights;
     const Land land = land_of(database, seed, request.size, request.size);
     const Land equal = land_of(database, seed, model.width(), model.height());
-    const Land large = land_of(database, seed, kLarge, kLarge);
     const auto patches = texture::patch_figures(database, equal.places);
-    const auto small_again = bench::repeats(large.places, 32);
-    const auto large_again = bench::repeats(large.places, 64);
+    const auto small_again = bench::repeats(equal.places, 32);
+    const auto large_again = bench::repeats(equal.places, 64);
     const auto alike = bench::likeness(land.terrain.heights, model, database.spacing, 1);
     const std::string stem = fmt::format("{}-{}", subject.name, seed);
     write_geotiff(request.folder / (stem + ".tif"), land.terrain);

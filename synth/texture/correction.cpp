@@ -37,6 +37,10 @@ float offset_price(int level) {
 
 const Asked kFree;  // points, curves and types are off on the finest two levels
 
+// Levels on which eq. 3's matches take part. On coarser ones they would bring a feature
+// in twice that the start has laid out once (synth/texture/start.cpp, bench/realism.sh).
+constexpr int kMatched = 4;
+
 constexpr int kSeedsOfType = 9;
 constexpr int kMostCandidates = 19;
 
@@ -214,6 +218,7 @@ class Pass {
         }
         for (int i = 0; i < 9; ++i)
             add(seen_from(around[i], kNeighbours[i]), 1.0f, types, candidates);
+        if (land_.window.level >= kMatched) return;
         for (int i = 0; i < 9; ++i)
             add(seen_from(match_of(around[i]), kNeighbours[i]), kappa_, types,
                 candidates);
