@@ -35,11 +35,11 @@ float offset_price(int level) {
                                                std::size(kOffsetPrices) - 1)];
 }
 
-const Asked kFree;  // points, curves and types are off on the finest two levels
-
-// Levels on which eq. 3's matches take part. On coarser ones they would bring a feature
-// in twice that the start has laid out once (synth/texture/start.cpp, bench/realism.sh).
-constexpr int kMatched = 4;
+// Land of no asked type is corrected from this level on: above it blocks stay as they
+// were laid out (synth/texture/pieces.h). There a correction spreads some pieces over
+// others, and what is left is a copy of large parts of an exemplar, some of it twice
+// (bench/realism.sh, columns used and repeated). So would the matches of this level.
+constexpr int kCoarsestCorrected = 4;
 
 constexpr int kSeedsOfType = 9;
 constexpr int kMostCandidates = 19;
@@ -81,6 +81,9 @@ class Pass {
         if (kSnapped && settled(at, weight)) return;
 
         const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
+        if (land_.window.level > kCoarsestCorrected && types == kAnyType &&
+            weight == 1.0f)
+            return;
         Candidates candidates;
         gather(at, types, candidates);
         Contest contest(neighbourhood(at), price_at(at));
@@ -210,6 +213,21 @@ class Pass {
         return types == kAnyType || (type < kMostTypes && (types >> type & 1u));
     }
 
+    // Whether a match is of another type than the land that it stands for: on the finest
+    // two levels, where types are asked for no more, these alone would mix a tenth of the
+    // land that the coarser ones sorted.
+    bool changes_type(const Spot& spot, const Spot& match) const {
+        if (!kSnapped || !asked_.typed) return false;
+        const auto type = [&](const Spot& s) {
+            const Sheet& sheet = level_.sheets[std::size_t(s.exemplar)];
+            const int x = std::clamp(s.x >> (land_.window.level + 1), 0, sheet.width - 1);
+            const int y =
+                std::clamp(s.y >> (land_.window.level + 1), 0, sheet.height - 1);
+            return level_.types[sheet.index(x, y)];
+        };
+        return type(spot) != type(match);
+    }
+
     void gather(std::size_t at, TypeSet types, Candidates& candidates) const {
         Spot around[9];
         for (int i = 0; i < 9; ++i) {
@@ -218,10 +236,12 @@ class Pass {
         }
         for (int i = 0; i < 9; ++i)
             add(seen_from(around[i], kNeighbours[i]), 1.0f, types, candidates);
-        if (land_.window.level >= kMatched) return;
-        for (int i = 0; i < 9; ++i)
-            add(seen_from(match_of(around[i]), kNeighbours[i]), kappa_, types,
-                candidates);
+        if (land_.window.level >= kCoarsestCorrected && types == kAnyType) return;
+        for (int i = 0; i < 9; ++i) {
+            const Spot match = match_of(around[i]);
+            if (changes_type(around[i], match)) continue;
+            add(seen_from(match, kNeighbours[i]), kappa_, types, candidates);
+        }
     }
 
     // Scores come later, so that what they read can come meanwhile.
@@ -365,9 +385,10 @@ void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
 
 void correct(Synthesis& land, const Database& database, const Controls& controls,
              const Asked& asked, const Kept& kept, int pass) {
+    const Asked of_finest{.typed = asked.typed};
     if (is_snapped(land.window.level, controls))
         correct_in_place(land.window,
-                         Pass<true>(land, database, controls, kFree, kept, pass));
+                         Pass<true>(land, database, controls, of_finest, kept, pass));
     else
         correct_in_place(land.window,
                          Pass<false>(land, database, controls, asked, kept, pass));

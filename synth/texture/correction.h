@@ -15,10 +15,13 @@ inline bool is_snapped(int level, const Controls& controls) {
     return level <= controls.finest + 1;
 }
 
-// What points, curves and types ask of the cells of a window; empty: nothing.
+// What points, curves and types ask of the cells of a window; empty: nothing. On the
+// finest two levels they ask nothing more, but types that coarser levels sorted stay
+// sorted.
 struct Asked {
-    Field<Pull> pulls;
-    Field<TypeSet> types;
+    Field<Pull> pulls = {};
+    Field<TypeSet> types = {};
+    bool typed = false;  // types are asked for, on this level or coarser ones
 };
 
 // One pass, eq. 3 to 9, over all of the window but its outermost two cells.

@@ -86,16 +86,19 @@ Synthesis synthesised(const Database& database, const Controls& controls,
         cells += double(w.width) * w.height;
     }
 
-    Synthesis land = started(database, controls, worked[std::size_t(top)]);
+    const auto types_at = [&](int level) {
+        return guidance.types && !is_snapped(level, controls)
+                   ? guidance.types(worked[std::size_t(level)])
+                   : Field<TypeSet>();
+    };
+    Synthesis land = started(database, controls, types_at(top), worked[std::size_t(top)]);
     if (record) record->assign(std::size_t(top) + 1, {});
     double done = 0.0;
     for (int level = top; level >= controls.finest; --level) {
         const Window& w = worked[std::size_t(level)];
         if (level < top) land = upsampled(land, database, controls, w);
         const Asked asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
-                          guidance.types && !is_snapped(level, controls)
-                              ? guidance.types(w)
-                              : Field<TypeSet>()};
+                          types_at(level), guidance.types != nullptr};
         const auto note = [&] {
             if (record) (*record)[std::size_t(level)].push_back(land);
         };

@@ -315,7 +315,7 @@ TEST_F(Syntheses, PaintedTypesAreObeyed) {
     options_.paint = picture_of(files(), "paint.png", 200, 180, [](int x, int) {
         return x < 100 ? Rgb8{0, 0, 255} : Rgb8{255, 0, 0};
     });
-    EXPECT_GT(made().figures.at("texture: cells of the asked type, share"), 0.9);
+    EXPECT_GT(made().figures.at("texture: cells of the asked type, share"), 0.97);
 }
 
 }  // namespace
