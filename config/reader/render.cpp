@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "config/reader/looks.h"
 #include "config/reader/readers.h"
+#include "field/error.h"
 
 namespace cydonia::config {
 
@@ -12,11 +16,52 @@ namespace {
 
 constexpr std::size_t kMostCameras = 64;
 
+constexpr Name<render::Clouds> kClouds[] = {
+    {"none", render::Clouds::kNone},
+    {"cirrus", render::Clouds::kCirrus},
+    {"broken", render::Clouds::kBroken},
+    {"overcast", render::Clouds::kOvercast},
+};
+
+// Added before the view where it is night: a frame's own exposure would make it day.
+constexpr double kNightExposure = -2.5;  // EV
+
+// A sun that lights, down to the end of civil twilight.
+struct Lighting {};
+void read(Table& t, Sun& sun, Lighting) {
+    t.required("azimuth", sun.azimuth, kAzimuth);
+    t.required("elevation", sun.elevation, Degrees{from(-6.0, 89.9)});
+}
+
+bool is_snow(const render::Layer& layer) {
+    return layer.role == render::Layer::Role::kSnow;
+}
+
+// What lies where, and where the light begins: tables of the scene go before it.
+void choose_look(Table& t, render::Options& o) {
+    Source file = default_look();
+    t.field("look", file, LookName{});
+    try {
+        LookFile look = read_look(file);
+        for (const Source& material : look.materials) t.shipped("look", material.path);
+        o.ground.look = std::move(look.look);
+        o.sky = look.sky;
+        o.haze = look.haze;
+        o.colour.exposure = look.exposure;
+    } catch (const Error& error) {
+        t.check(false, {"look"}, error.what());
+    }
+}
+
 }  // namespace
 
 void read(Table& t, SkyOptions& sky) {
     t.field("turbidity", sky.turbidity, Number{from(1.9, 10.0)});
     t.field("fill", sky.fill, Number{from(0.0, 10.0)});
+    t.field("ground_albedo", sky.ground_albedo, Number{from(0.0, 1.0)});
+    t.field("clouds", sky.clouds, one_of(kClouds));
+    t.field("cloud_shadows", sky.cloud_shadows, Flag{});
+    t.field("moon", sky.moon, Number{from(0.0, 1.0)});
 }
 
 void read(Table& t, HazeOptions& haze) {
@@ -28,7 +73,8 @@ void read(Table& t, WaterOptions& water) { t.field("level", water.level, LengthU
 void read(Table& t, GroundOptions& ground) {
     t.field("snow_line", ground.snow_line, LengthUnit{});
     t.field("rock_slope", ground.rock_slope, Degrees{from(0.0, 90.0)});
-    t.check(ground.rock_slope[0] <= ground.rock_slope[1], {"rock_slope"},
+    t.check(!ground.rock_slope || (*ground.rock_slope)[0] <= (*ground.rock_slope)[1],
+            {"rock_slope"},
             "the slope where rock begins must not be above the one where all is rock");
 }
 
@@ -41,13 +87,20 @@ void read(Table& t, ColourOptions& colour) {
 
 void read(Table& t, RenderTable& out) {
     auto& o = out.options;
-    t.table("sun", o.sun);
+    choose_look(t, o);
+    t.table("sun", o.sun, Lighting{});
+    t.tables("thing", o.things, render::kMostKinds);
     t.tables("camera", o.cameras, kMostCameras);
     t.unique("camera", "name");
     t.table("sky", o.sky);
     t.table("haze", o.haze);
     t.table("water", o.water);
     t.table("ground", o.ground);
+    t.check(
+        !o.ground.snow_line || std::ranges::any_of(o.ground.look.layers, is_snow),
+        {"ground"},
+        "the look '" + o.ground.look.name + "' has no snow that a snow_line could move");
+    if (o.sky.moon > 0.0) o.colour.exposure += kNightExposure;
     t.table("colour", o.colour);
     out.text = t.record().text();
 }

@@ -1,6 +1,8 @@
 // Light, air and how they are traced.
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "render/pov/pieces.h"
 #include "render/sky/sky.h"
 
@@ -40,11 +42,18 @@ std::string light_numbers(const Shot& shot) {
         numbers(light.sun), numbers(light.sky), number(shot.options.sky.fill));
     if (has_haze(shot)) {
         const Length visibility = shot.options.haze.visibility;
-        text += fmt::format(R"(#declare HazeLight    = rgb <{}>;
+        const Vec3 view = shot.camera.target - shot.camera.eye;
+        const AirLight air =
+            air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
+                      shot.camera.field_of_view);
+        text +=
+            fmt::format(R"(// What the air sends back, of the sky where the camera looks.
+#declare HazeLight    = rgb <{}>;
+#declare AirLight     = rgb <{}>;
 #declare Visibility   = {} + {} * LandWidth; // metres at which haze takes over
 )",
-                            numbers(light.horizon), number(visibility.metres),
-                            number(visibility.fraction));
+                        numbers(air.haze), numbers(air.air), number(visibility.metres),
+                        number(visibility.fraction));
     }
     return text + "\n";
 }
@@ -98,14 +107,22 @@ sky_sphere {{
 }
 
 std::string haze() {
-    return R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
-// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+    return R"(// At the distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+// Half of it at most is clean air, which is blue and reaches high; the rest is haze, which
+// lies low: three quarters of it are gone HazeHeight above the lowest ground.
 #declare HazeHeight = LandSize / 16; // metres
+#declare CleanAir = min(1.356e-5, 1.956 / Visibility); // in green, a metre
 fog {
     fog_type 2 up y
-    distance Visibility / 3.912 / Unit
+    distance 1 / (3.912 / Visibility - CleanAir) / Unit
     fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
     color HazeLight
+}
+fog {
+    fog_type 2 up y
+    distance 1 / CleanAir / Unit
+    fog_offset BaseHeight / Unit fog_alt 4 * HazeHeight / Unit
+    color AirLight
 }
 
 )";

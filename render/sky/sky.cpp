@@ -1,228 +1,125 @@
-// A clear sky by ray marching: Rayleigh and Mie scattering and ozone, single scattering
-// plus the isotropic estimate of all further ones of S. Hillaire, "A Scalable and
-// Production Ready Sky and Atmosphere Rendering Technique" (EGSR 2020), sections 4
-// and 5.5; coefficients as in his table 1.
 #include "render/sky/sky.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "field/parallel.h"
+#include "render/sky/atmosphere.h"
 
 namespace cydonia::render {
 namespace {
 
-constexpr double kGround = 6360e3, kTop = 6460e3;  // radii, metres
-constexpr double kEye = 500.0;                     // altitude of the observer, metres
-constexpr double kRayleighHeight = 8000.0, kMieHeight = 1200.0;
-constexpr Vec3 kRayleigh{5.802e-6, 13.558e-6, 33.1e-6};
-constexpr Vec3 kOzone{0.650e-6, 1.881e-6, 0.085e-6};
-constexpr double kMieScattering = 3.996e-6, kMieAlbedo = 0.9, kMieG = 0.8;
-constexpr double kGroundAlbedo = 0.2;
-// Turbidity is 1 in pure air; Hillaire's Mie coefficient is a clear day of about 2.
-constexpr double kHazeOfTurbidity2 = 1.0;
+using std::numbers::pi;
 
-double square(double v) { return v * v; }
+// Of the light above an overcast, as much comes through: by IES 1984, 0.3 + 21 sin h of
+// 0.8 + 15.5 sqrt(sin h) + 127.5 exp(-0.21 / sin h) sin h kilolux.
+constexpr double kThroughOvercast = 0.2;
+
+// Starlight and airglow, 0.17 mcd/m2 (Jensen et al., "A Physically-Based Night Sky
+// Model", SIGGRAPH 2001, table 1), in the unit of a night.
+constexpr double kNightGlow = 0.0017;
+
 Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-Vec3 exp_of(Vec3 a) { return {std::exp(a.x), std::exp(a.y), std::exp(a.z)}; }
-Vec3 grey(double v) { return {v, v, v}; }
 Rgb rgb(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
+double luminance(Vec3 v) { return 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z; }
 
-// What the air does to light at a point.
-struct Medium {
-    Vec3 rayleigh, extinction;
-    double mie = 0.0;
-    Vec3 scattering() const { return rayleigh + grey(mie); }
-};
-
-// Where a ray from `origin` (planet's centre at 0) leaves the air, and whether at the
-// ground.
-struct Exit {
-    double distance;
-    bool ground;
-};
-
-Exit exit_of(Vec3 origin, Vec3 direction) {
-    const double b = dot(origin, direction), r2 = dot(origin, origin);
-    const double under = b * b - r2 + kGround * kGround;
-    if (under > 0.0 && b < 0.0) return {-b - std::sqrt(under), true};
-    return {-b + std::sqrt(b * b - r2 + kTop * kTop), false};
+// Of the moon's light to that of a full one: C. W. Allen, "Astrophysical Quantities"
+// (1976), section 66, by the angle at which it is lit.
+double phase_light(double lit_share) {
+    const double angle = std::acos(std::clamp(2.0 * lit_share - 1.0, -1.0, 1.0));
+    const double a = angle * 180.0 / pi;
+    return std::pow(10.0, -0.4 * (0.026 * a + 4e-9 * a * a * a * a));
 }
 
-class Atmosphere {
+// What the light is outside the air. An eye that sees by moonlight sees blue: Jensen et
+// al. 2001, section 5, shift white to the chromaticity (0.25, 0.25), luminance kept.
+constexpr Vec3 kBlueShift{0.706, 0.986, 1.966};
+constexpr Vec3 kMoonColour{1.12, 0.98, 0.84};  // a little redder than the sun's
+
+class Sky {
   public:
-    Atmosphere(const Sun& sun, const SkyOptions& options)
-        : sun_(direction_to(sun)),
-          mie_(kMieScattering * kHazeOfTurbidity2 *
-               std::max(options.turbidity - 1.0, 0.0)) {
-        parallel_for(kSunAngles, [&](int j) {
-            for (int i = 0; i < kSunLevels; ++i) {
-                const double z = kLowestSun + (1.0 - kLowestSun) * j / (kSunAngles - 1);
-                const double altitude = (kTop - kGround) * square(i / (kSunLevels - 1.0));
-                sunlight_(i, j) = transmittance({0.0, 0.0, kGround + altitude},
-                                                {std::sqrt(1.0 - z * z), 0.0, z});
-            }
-        });
-        for (int i = 0; i < kLevels; ++i)
-            multiple_[i] = multiple_scattering(altitude_of(i));
-    }
-
-    Vec3 transmittance(Vec3 from, Vec3 direction) const {
-        const Exit exit = exit_of(from, direction);
-        if (exit.ground) return {};
-        constexpr int kSteps = 32;
-        Vec3 depth;
-        for (int i = 0; i < kSteps; ++i) {
-            // Steps grow with distance: the air is thin far away.
-            const double a = static_cast<double>(i) / kSteps, b = (i + 1.0) / kSteps;
-            const double t0 = exit.distance * a * a, t1 = exit.distance * b * b;
-            depth = depth +
-                    (t1 - t0) * medium(from + (0.5 * (t0 + t1)) * direction).extinction;
+    Sky(const Sun& sun, const SkyOptions& options)
+        : air_(sun, options.turbidity, options.ground_albedo),
+          sine_(std::sin(sun.elevation)),
+          options_(options) {
+        if (options.moon > 0.0) {
+            light_ = phase_light(options.moon) * mul(kMoonColour, kBlueShift);
+            glow_ = kNightGlow * kBlueShift;
         }
-        return exp_of(-1.0 * depth);
+        clear_ = mean_of_clear();
+        if (options.clouds == Clouds::kOvercast) {
+            const Vec3 above =
+                clear_ + std::max(sine_, 0.0) * mul(light_, air_.sun_colour());
+            const double through = kThroughOvercast;
+            // Thick cloud mixes sun and sky to nearly one grey.
+            const Vec3 white = options.moon > 0.0 ? kBlueShift : Vec3{1.0, 1.0, 1.0};
+            overcast_ = through * (0.6 * above + 0.4 * luminance(above) * white);
+        }
     }
 
-    // Radiance toward an eye at kEye for a sun whose parallel light has colour 1.
+    bool overcast() const { return options_.clouds == Clouds::kOvercast; }
+    Vec3 sun() const { return overcast() ? Vec3{} : mul(light_, air_.sun_colour()); }
+    // Mean radiance over level ground.
+    Vec3 mean() const { return overcast() ? overcast_ : clear_; }
+
+    // CIE's standard overcast: three times as bright overhead as at the horizon.
     Vec3 radiance(Vec3 direction) const {
-        return march({0.0, 0.0, kGround + kEye}, direction, 48, true).light;
+        return overcast() ? 3.0 / 7.0 * (1.0 + 2.0 * direction.z) * overcast_
+                          : clear(direction);
     }
-
-    Vec3 sun_colour() const { return transmittance({0.0, 0.0, kGround + kEye}, sun_); }
 
   private:
-    static constexpr int kSunLevels = 48, kSunAngles = 256;
-    static constexpr double kLowestSun = -0.2;  // sine of the sun's elevation
-    static constexpr int kLevels = 16;
-    static double altitude_of(int level) {
-        return (kTop - kGround) * square(level / (kLevels - 1.0));
+    Vec3 clear(Vec3 direction) const {
+        return mul(light_, air_.radiance(direction)) + glow_;
     }
 
-    // transmittance toward the sun, from a table: the march asks for it millions of
-    // times.
-    Vec3 sunlight(Vec3 p) const {
-        const double radius = length(p);
-        const double level =
-            std::sqrt(std::clamp((radius - kGround) / (kTop - kGround), 0.0, 1.0)) *
-            (kSunLevels - 1);
-        const double angle =
-            std::clamp((dot(p, sun_) / radius - kLowestSun) / (1.0 - kLowestSun), 0.0,
-                       1.0) *
-            (kSunAngles - 1);
-        const int i = std::min(static_cast<int>(level), kSunLevels - 2);
-        const int j = std::min(static_cast<int>(angle), kSunAngles - 2);
-        const double u = level - i, v = angle - j;
-        return (1.0 - v) * ((1.0 - u) * sunlight_(i, j) + u * sunlight_(i + 1, j)) +
-               v * ((1.0 - u) * sunlight_(i, j + 1) + u * sunlight_(i + 1, j + 1));
-    }
-
-    Medium medium(Vec3 p) const {
-        const double altitude = std::max(length(p) - kGround, 0.0);
-        Medium m;
-        m.rayleigh = std::exp(-altitude / kRayleighHeight) * kRayleigh;
-        m.mie = mie_ * std::exp(-altitude / kMieHeight);
-        const double ozone = std::max(0.0, 1.0 - std::abs(altitude - 25e3) / 15e3);
-        m.extinction = m.rayleigh + grey(m.mie / kMieAlbedo) + ozone * kOzone;
-        return m;
-    }
-
-    // Rayleigh's phase function and Cornette-Shanks' for haze; both average 1 / 4 pi.
-    Vec3 phase(const Medium& m, double cosine) const {
-        using std::numbers::pi;
-        const double rayleigh = 3.0 / (16.0 * pi) * (1.0 + cosine * cosine);
-        const double g2 = kMieG * kMieG;
-        const double mie = 3.0 / (8.0 * pi) * (1.0 - g2) * (1.0 + cosine * cosine) /
-                           ((2.0 + g2) * std::pow(1.0 + g2 - 2.0 * kMieG * cosine, 1.5));
-        return rayleigh * m.rayleigh + grey(mie * m.mie);
-    }
-
-    // All orders beyond the first at an altitude (Hillaire 2020, section 5.5).
-    Vec3 further_light(Vec3 p) const {
-        const double altitude = std::clamp(length(p) - kGround, 0.0, kTop - kGround);
-        const double at = std::sqrt(altitude / (kTop - kGround)) * (kLevels - 1);
-        const int i = std::min(static_cast<int>(at), kLevels - 2);
-        const double f = at - i;
-        return (1.0 - f) * multiple_[i] + f * multiple_[i + 1];
-    }
-
-    struct Marched {
-        Vec3 light;    // radiance, sun's irradiance pi
-        Vec3 feeding;  // what comes back of uniform light: f_ms
-    };
-
-    Marched march(Vec3 from, Vec3 direction, int steps, bool all_orders) const {
-        using std::numbers::pi;
-        const Exit exit = exit_of(from, direction);
-        const double cosine = dot(direction, sun_);
-        Marched result;
-        Vec3 through = grey(1.0);
-        for (int i = 0; i < steps; ++i) {
-            const double a = static_cast<double>(i) / steps, b = (i + 1.0) / steps;
-            const double t0 = exit.distance * a * a, t1 = exit.distance * b * b;
-            const Vec3 p = from + (0.5 * (t0 + t1)) * direction;
-            const Medium m = medium(p);
-            const Vec3 sun = pi * sunlight(p);
-            Vec3 scattered =
-                mul(all_orders ? phase(m, cosine) : (0.25 / pi) * m.scattering(), sun);
-            if (all_orders) scattered = scattered + mul(m.scattering(), further_light(p));
-            // Exact along a step of constant medium.
-            const Vec3 passed = exp_of(-(t1 - t0) * m.extinction);
-            const Vec3 gained = share(grey(1.0) - passed, m.extinction);
-            result.light = result.light + mul(through, mul(scattered, gained));
-            result.feeding = result.feeding + mul(through, mul(m.scattering(), gained));
-            through = mul(through, passed);
-        }
-        if (exit.ground) {
-            const Vec3 p = from + exit.distance * direction;
-            const double facing = std::max(0.0, dot(normalized(p), sun_));
-            result.light =
-                result.light + mul(through, kGroundAlbedo * facing * sunlight(p));
-        }
-        return result;
-    }
-
-    static Vec3 share(Vec3 a, Vec3 b) {
-        const auto divide = [](double u, double v) { return v > 0.0 ? u / v : 0.0; };
-        return {divide(a.x, b.x), divide(a.y, b.y), divide(a.z, b.z)};
-    }
-
-    Vec3 multiple_scattering(double altitude) const {
-        constexpr int kRings = 6, kSpokes = 10;
-        const Vec3 from{0.0, 0.0, kGround + std::max(altitude, 1.0)};
-        Vec3 second, feeding;
-        for (int i = 0; i < kRings; ++i) {
-            const double z = 1.0 - (2.0 * i + 1.0) / kRings, r = std::sqrt(1.0 - z * z);
-            for (int j = 0; j < kSpokes; ++j) {
-                const double a = 2.0 * std::numbers::pi * (j + 0.5) / kSpokes;
-                const Marched m =
-                    march(from, {r * std::cos(a), r * std::sin(a), z}, 16, false);
-                second = second + m.light;
-                feeding = feeding + m.feeding;
+    Vec3 mean_of_clear() const {
+        constexpr int kSpokes = 48, kRings = 24;
+        Field<Vec3> light(kSpokes, kRings);
+        parallel_for(kRings, [&](int y) {
+            const double z = std::sqrt((y + 0.5) / kRings), r = std::sqrt(1.0 - z * z);
+            for (int x = 0; x < kSpokes; ++x) {
+                const double a = 2.0 * pi * (x + 0.5) / kSpokes;
+                light(x, y) = clear({r * std::cos(a), r * std::sin(a), z});
             }
-        }
-        const double weight = 1.0 / (kRings * kSpokes);
-        return share(weight * second, grey(1.0) - weight * feeding);
+        });
+        Vec3 sum;
+        for (const Vec3& v : light) sum = sum + v;
+        return 1.0 / (kSpokes * kRings) * sum;
     }
 
-    Vec3 sun_;
-    double mie_;
-    Field<Vec3> sunlight_{kSunLevels, kSunAngles};
-    std::array<Vec3, kLevels> multiple_{};
+    Atmosphere air_;
+    double sine_;
+    SkyOptions options_;
+    Vec3 light_{1.0, 1.0, 1.0}, glow_, clear_, overcast_;
 };
 
-// Rows above the horizon at low resolution; radiance is smooth away from the sun.
-Field<Rgb> upper_dome(const Atmosphere& air, int width, int height) {
+Vec3 direction_at(double azimuth, double elevation) {
+    return direction_to({azimuth, elevation});
+}
+
+Vec3 mean_at(const Sky& sky, double azimuth, double angle, double elevation) {
+    constexpr int kAcross = 16;
+    Vec3 sum;
+    for (int i = 0; i < kAcross; ++i)
+        sum = sum + sky.radiance(direction_at(
+                        azimuth + angle * ((i + 0.5) / kAcross - 0.5), elevation));
+    return 1.0 / kAcross * sum;
+}
+
+constexpr double kDegree = pi / 180.0;
+
+// Rows above the horizon; radiance is smooth away from the sun.
+Field<Rgb> upper_dome(const Sky& sky, int width, int height) {
     Field<Rgb> dome(width, height);
     parallel_for(height, [&](int y) {
-        const double elevation = std::numbers::pi / 2.0 * (1.0 - (y + 0.5) / height);
+        const double elevation = pi / 2.0 * (1.0 - (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            const double a = 2.0 * std::numbers::pi * (x + 0.5) / width;
-            const double c = std::cos(elevation);
-            dome(x, y) = rgb(
-                air.radiance({c * std::cos(a), c * std::sin(a), std::sin(elevation)}));
+            const double azimuth = pi / 2.0 - 2.0 * pi * (x + 0.5) / width;
+            dome(x, y) = rgb(sky.radiance(direction_at(azimuth, elevation)));
         }
     });
     return dome;
@@ -231,29 +128,23 @@ Field<Rgb> upper_dome(const Atmosphere& air, int width, int height) {
 }  // namespace
 
 Daylight daylight(const Sun& sun, const SkyOptions& options) {
-    constexpr int kWidth = 48, kHeight = 24;
-    const Atmosphere air(sun, options);
-    const Field<Rgb> dome = upper_dome(air, kWidth, kHeight);
-    Vec3 sky, horizon;
-    double weights = 0.0;
-    for (int y = 0; y < kHeight; ++y) {
-        const double elevation = std::numbers::pi / 2.0 * (1.0 - (y + 0.5) / kHeight);
-        const double weight = std::sin(elevation) * std::cos(elevation);
-        for (int x = 0; x < kWidth; ++x) {
-            const Vec3 light{dome(x, y)[0], dome(x, y)[1], dome(x, y)[2]};
-            sky = sky + weight * light;
-            weights += weight;
-            if (y == kHeight - 1) horizon = horizon + (1.0 / kWidth) * light;
-        }
-    }
-    return {rgb(air.sun_colour()), rgb(1.0 / weights * sky), rgb(horizon)};
+    const Sky sky(sun, options);
+    return {rgb(sky.sun()), rgb(sky.mean()),
+            rgb(mean_at(sky, 0.0, 2.0 * pi, 2.0 * kDegree))};
+}
+
+AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
+                   double angle) {
+    const Sky sky(sun, options);
+    return {rgb(mean_at(sky, azimuth, angle, 0.7 * kDegree)),
+            rgb(mean_at(sky, azimuth, angle, 6.0 * kDegree))};
 }
 
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {
-    const Atmosphere air(sun, options);
+    const Sky sky(sun, options);
     const int upper = height / 2;
     Field<Rgb> dome(2 * height, height);
-    const Field<Rgb> above = upper_dome(air, 2 * height, upper);
+    const Field<Rgb> above = upper_dome(sky, 2 * height, upper);
     std::copy(above.begin(), above.end(), dome.begin());
     for (int y = upper; y < height; ++y)
         std::copy_n(above.row(upper - 1).begin(), 2 * height, dome.row(y).begin());

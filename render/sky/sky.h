@@ -6,17 +6,27 @@
 
 namespace cydonia::render {
 
-// One atmosphere for sun, sky and haze, linear Rec.709, in one unit: what a white surface
-// sends back. A light's colour is its irradiance over pi on a surface that faces it, the
-// sky's its radiance; 1 is about a white sheet in the sun at noon.
+// One atmosphere for sun or moon, sky and haze, linear Rec.709, in one unit: what a white
+// surface sends back. A light's colour is its irradiance over pi on a surface that faces
+// it, the sky's its radiance; 1 is a white sheet in the sun outside the air (128 klx), by
+// night in the full moon there (0.32 lx).
 struct Daylight {
     Rgb sun;      // colour of a parallel light
     Rgb sky;      // mean radiance of the dome over a flat ground, cosine weighted: what
                   // ambient light is
-    Rgb horizon;  // mean radiance at the horizon: the colour of haze
+    Rgb horizon;  // mean radiance at the horizon
 };
 
 Daylight daylight(const Sun& sun, const SkyOptions& options);
+
+// What haze has from the air, seen toward an azimuth (radians from north) by a camera as
+// wide as `angle`: its own colour, that of the lowest degree of the sky, and that of the
+// clean air above it, a few degrees up.
+struct AirLight {
+    Rgb haze, air;
+};
+AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
+                   double angle);
 
 // The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
 // takes it (map_type 1): the top row is the zenith, below the horizon stands the

@@ -31,10 +31,12 @@
 // below and the sky's image belong to this height; 1 is what a white sheet sends back.
 #declare SunAzimuth   = 305;
 #declare SunElevation = 25;
-#declare SunLight     = rgb <0.8717, 0.7284, 0.5492>;
-#declare SkyLight     = rgb <0.02608, 0.04857, 0.09919>; // of the whole sky, on level ground
-#declare SkyFill      = 1.5; // above 1 opens the shadows; the visible sky stays
-#declare HazeLight    = rgb <0.1746, 0.2322, 0.2495>;
+#declare SunLight     = rgb <0.74, 0.5847, 0.4077>;
+#declare SkyLight     = rgb <0.07031, 0.09493, 0.141>; // of the whole sky, on level ground
+#declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
+// What the air sends back, of the sky where the camera looks.
+#declare HazeLight    = rgb <0.1012, 0.1099, 0.1239>;
+#declare AirLight     = rgb <0.08683, 0.1199, 0.1564>;
 #declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
 
 global_settings {
@@ -77,14 +79,22 @@ sky_sphere {
     }
 }
 
-// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
-// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+// At the distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
+// Half of it at most is clean air, which is blue and reaches high; the rest is haze, which
+// lies low: three quarters of it are gone HazeHeight above the lowest ground.
 #declare HazeHeight = LandSize / 16; // metres
+#declare CleanAir = min(1.356e-5, 1.956 / Visibility); // in green, a metre
 fog {
     fog_type 2 up y
-    distance Visibility / 3.912 / Unit
+    distance 1 / (3.912 / Visibility - CleanAir) / Unit
     fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
     color HazeLight
+}
+fog {
+    fog_type 2 up y
+    distance 1 / CleanAir / Unit
+    fog_offset BaseHeight / Unit fog_alt 4 * HazeHeight / Unit
+    color AirLight
 }
 
 // The ground's colour covers the cells, draped from above.
@@ -94,6 +104,13 @@ fog {
 }
 #declare Ground = texture {
     pigment { GroundColour transform { FromAbove } }
+    normal { // bumps of what lies there: materials.png has its number in the look
+        image_pattern { png "materials.png" gamma 1.0 }
+        normal_map {
+            [0 / 255 granite 0.12 scale 60 / Unit transform { FromAbove inverse } ]
+        }
+        transform { FromAbove }
+    }
 };
 
 // The heights are corners of the surface, which so ends half a cell inside the land.

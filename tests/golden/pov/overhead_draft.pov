@@ -31,9 +31,9 @@
 // below and the sky's image belong to this height; 1 is what a white sheet sends back.
 #declare SunAzimuth   = 305;
 #declare SunElevation = 25;
-#declare SunLight     = rgb <0.8717, 0.7284, 0.5492>;
-#declare SkyLight     = rgb <0.02608, 0.04857, 0.09919>; // of the whole sky, on level ground
-#declare SkyFill      = 1.5; // above 1 opens the shadows; the visible sky stays
+#declare SunLight     = rgb <0.74, 0.5847, 0.4077>;
+#declare SkyLight     = rgb <0.07031, 0.09493, 0.141>; // of the whole sky, on level ground
+#declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
 
 global_settings {
     assumed_gamma 1.0

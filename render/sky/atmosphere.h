@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "field/field.h"
+#include "field/sun.h"
+#include "field/vec.h"
+
+namespace cydonia::render {
+
+// Clear air under a light far away, by ray marching. Colours are linear Rec.709 for a
+// light whose colour outside the air is 1 (render/sky/sky.h).
+class Atmosphere {
+  public:
+    // `turbidity` as Preetham's, 1 in pure air; `ground_albedo` of the land all around.
+    Atmosphere(const Sun& sun, double turbidity, double ground_albedo);
+
+    // Toward an eye, 500 m above the sea, from a direction above the horizon.
+    Vec3 radiance(Vec3 direction) const;
+    // Of the light itself there: the mean over its disc, part of which may have set.
+    Vec3 sun_colour() const;
+
+  private:
+    struct Medium;
+    struct Marched;
+    static constexpr int kSunLevels = 48, kSunAngles = 256, kLevels = 16;
+
+    static double altitude_of(int level);
+    Medium medium(Vec3 point) const;
+    Vec3 phase(const Medium& medium, double cosine) const;
+    Vec3 transmittance(Vec3 from, Vec3 direction) const;
+    Vec3 sunlight(Vec3 point) const;
+    Vec3 further_light(Vec3 point) const;
+    Vec3 multiple_scattering(double altitude) const;
+    Marched march(Vec3 from, Vec3 direction, int steps, bool all_orders) const;
+
+    Sun place_;
+    Vec3 sun_;
+    Vec3 aerosol_;  // extinction at sea level, per metre
+    double ground_albedo_;
+    Field<Vec3> sunlight_{kSunLevels, kSunAngles};  // transmittance by level and sine
+    std::array<Vec3, kLevels> multiple_{};
+};
+
+}  // namespace cydonia::render
