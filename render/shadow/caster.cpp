@@ -1,21 +1,14 @@
 #include "render/shadow/caster.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "field/error.h"
 #include "field/parallel.h"
-#include "field/released.h"
+#include "render/embree/embree.h"
 
 namespace cydonia::render {
 
@@ -25,15 +18,9 @@ constexpr int kMaxSide = 16384;  // Embree's grids end at 32767
 constexpr std::size_t kMaxSamples = std::size_t{1} << 32;
 constexpr int kTile = 4;  // 4x4 neighbouring samples are one packet of rays
 
-// As Embree's grid geometry wants them: x east, y north, z up, in cells, from the middle
-// of the land, where floats are densest.
-struct Vertex {
-    float x, y, z;
-};
-
-Vertex vertex(const Vec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
+// x east, y north, z up, in cells, from the middle of the land, where floats are densest.
+using embree::Vertex;
+using embree::vertex;
 
 // Where a row or column of samples meets the mesh: in the square after sample `cell`,
 // `at` (0 to 1) of the way to the next.
@@ -57,10 +44,6 @@ std::vector<Stop> stops(int count, int rays, bool forward) {
     }
     return result;
 }
-
-// Embree's objects count references.
-template <class Object, auto kRelease>
-using Handle = std::unique_ptr<std::remove_pointer_t<Object>, Released<kRelease>>;
 
 Error no_memory(int width, int height) {
     return failure("not enough memory to cast the shadows of {}x{} heights", width,
@@ -105,21 +88,6 @@ bool wanted(const Field<std::uint8_t>& where, int x, int y, int rays) {
     return false;
 }
 
-// Marks the rays of a packet that meet the mesh: tfar becomes -inf.
-void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
-#if RTC_VERSION_MAJOR >= 4
-    RTCOccludedArguments how;
-    rtcInitOccludedArguments(&how);
-    how.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &rays, &how);
-#else
-    RTCIntersectContext how;
-    rtcInitIntersectContext(&how);
-    how.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(valid, scene, &how, &rays);
-#endif
-}
-
 }  // namespace
 
 struct Caster::Scene {
@@ -136,8 +104,8 @@ struct Caster::Scene {
                    Field<std::uint8_t>& shadow) const;
 
     int width, height;
-    Handle<RTCDevice, rtcReleaseDevice> device;
-    Handle<RTCScene, rtcReleaseScene> scene;
+    embree::Device device;
+    embree::Scene scene;
     const Vertex* vertices = nullptr;  // the geometry's own
     float lift = 0.0f;                 // how far above the mesh rays start
 };
@@ -146,42 +114,29 @@ Caster::Scene::Scene(const Field<float>& heights, double spacing)
     : width(heights.width()),
       height(heights.height()),
       device(rtcNewDevice(nullptr)),
-      scene(rtcNewScene(device.get())) {
-    // Else rays that run along the mesh's own lines slip between two triangles: up to 4%
-    // of the samples at azimuths 90, 135 and 315.
-    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+      scene(embree::new_scene(device)) {
     lay_grid(heights, spacing);
     rtcCommitScene(scene.get());
     if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw no_memory(width, height);
 }
 
 void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
-    const Handle<RTCGeometry, rtcReleaseGeometry> geometry(
-        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_GRID));
-    auto* grid = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(
-        geometry.get(), RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
-    auto* laid = static_cast<Vertex*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
-                                RTC_FORMAT_FLOAT3, sizeof(Vertex), heights.size()));
-    if (!grid || !laid) throw no_memory(width, height);
-    *grid = {0, static_cast<unsigned>(width), static_cast<std::uint16_t>(width),
-             static_cast<std::uint16_t>(height)};
-    vertices = laid;
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
     const double middle = 0.5 * (static_cast<double>(*low) + *high);
-    parallel_for(height, 16, [&](int y) {
-        Vertex* out = laid + static_cast<std::size_t>(height - 1 - y) * width;
-        for (int x = 0; x < width; ++x)
-            out[x] = vertex({x - 0.5 * (width - 1), 0.5 * (height - 1) - y,
-                             (heights(x, y) - middle) / spacing});
+    vertices = embree::lay_grid(device, scene, width, height, [&](Vertex* laid) {
+        parallel_for(height, 16, [&](int y) {
+            Vertex* out = laid + static_cast<std::size_t>(height - 1 - y) * width;
+            for (int x = 0; x < width; ++x)
+                out[x] = vertex({x - 0.5 * (width - 1), 0.5 * (height - 1) - y,
+                                 (heights(x, y) - middle) / spacing});
+        });
     });
+    if (!vertices) throw no_memory(width, height);
     // A few steps between neighbouring floats at the mesh's far end: a quarter of it is
     // the least that keeps planes free of their own shadow.
     const double reach =
         std::max({0.5 * width, 0.5 * height, (*high - middle) / spacing});
     lift = static_cast<float>(4.0 * reach * std::numeric_limits<float>::epsilon());
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(scene.get(), geometry.get());
 }
 
 Start Caster::Scene::start(Stop column, Stop line, Vertex sun) const {
@@ -222,7 +177,7 @@ void Caster::Scene::cast_tile(int x0, int y0, const Samples& samples,
     std::fill_n(rays.dir_z, kRays, samples.sun.z);
     std::fill_n(rays.tfar, kRays, std::numeric_limits<float>::infinity());
     std::fill_n(rays.mask, kRays, ~0u);
-    mark_occluded(scene.get(), faces_sun.data(), rays);
+    embree::mark_occluded(scene.get(), faces_sun.data(), rays);
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const int i = y * kTile + x;

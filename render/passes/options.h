@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+namespace cydonia::render {
+
+// What can be known of every pixel besides its colour; docs/passes.md.
+enum class Pass {
+    kDepth,     // metres along the view's axis
+    kPosition,  // world metres: east, north, up
+    kNormal,    // world: east, north, up
+    kHeight,    // metres
+    kSlope,     // degrees
+    kMaterial,  // number in the look
+    kShadow,    // 1 in the sun's shadow
+    kSky,       // share of the sky that is seen from there
+};
+inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
+                                      Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
+                                      Pass::kShadow, Pass::kSky};
+
+struct PassOptions {
+    std::vector<Pass> which;  // none by default
+    bool separate = false;    // a file each, besides the frame, not one of many parts
+};
+
+}  // namespace cydonia::render
