@@ -16,6 +16,10 @@ struct Camera {
     double frame_width = 1.0;    // metres across the frame's width; orthographic only
     int width = 640;             // pixels
     int height = 360;
+    // The lens: how wide its opening is, 0 a pinhole that draws all sharp; and how far
+    // ahead, measured along the view, the plane stands that is sharp. Perspective only.
+    double aperture = 0.0;        // metres
+    double focus_distance = 1.0;  // metres
 };
 
 }  // namespace cydonia

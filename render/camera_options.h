@@ -3,11 +3,19 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "field/length.h"
 #include "field/sun.h"
 
 namespace cydonia::render {
+
+// Where a camera on a path is at a frame. Heights are above the ground below the points.
+struct CameraKey {
+    double frame = 0.0;
+    std::array<Length, 3> eye{};     // x east, y north, z above the ground there
+    std::array<Length, 3> target{};  // x east, y north, z above the ground there
+};
 
 // A camera as a scene describes it; placed over a terrain by render/cameras.h.
 struct CameraOptions {
@@ -16,6 +24,8 @@ struct CameraOptions {
         kOblique,   // looks along `azimuth` from above, the whole extent in view
         kOrbit,     // at `distance` around the centre of the land
         kLookAt,    // `eye` and `target` given
+        kStand,     // on the ground at `position`, as a person stands there
+        kPath,      // through `keys`
     };
     std::string name;  // file-name-safe, unique in a scene
     Kind kind = Kind::kOblique;
@@ -24,7 +34,28 @@ struct CameraOptions {
     std::optional<Length> distance;  // from the centre; default: the land fills the frame
     std::array<Length, 3> eye{};     // x east, y north, z above the ground there
     std::array<Length, 3> target{};  // x east, y north, z above the ground there
+
+    std::array<Length, 2> position{};  // of one who stands: x east, y north
+    Length eye_height = metres(1.8);   // of one who stands: above the ground there
+    double heading = 0.0;              // where one who stands looks to, unless at
+    double pitch = 0.0;                // `target`: from north, and upwards; radians
+    bool looks_at_target = false;
+
+    std::vector<CameraKey> keys;  // of a path: at least two, frames rising
+    bool eased = true;            // a path starts from rest and comes to rest
+
+    // The lens. A focal length overrides the field of view.
     double field_of_view = radians(30.0);  // across the frame's width; radians
+    std::optional<double> focal_length;    // millimetres
+    double sensor_width = 36.0;            // millimetres
+    std::optional<double> f_stop;  // focal length over opening; default: all sharp
+    std::optional<Length> focus_distance;  // along the view; default: to what it looks at
+    std::optional<std::array<Length, 3>> focus;  // a point as `target` is, instead
+
+    double shutter_angle = radians(180.0);  // open for this share of a frame's time
+    int shutter_samples = 1;                // moments averaged over it; 1: no motion blur
+    double exposure = 0.0;                  // EV, added to the scene's
+
     std::array<int, 2> size{1920,
                             1080};  // pixels at final quality; draft a third, preview two
     std::optional<Sun> sun;         // default: the scene's

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/error.h"
-#include "field/sample.h"
+#include "render/camera_checks.h"
+#include "render/camera_path.h"
+#include "render/camera_view.h"
 
 namespace cydonia::render {
 namespace {
@@ -12,33 +13,15 @@ namespace {
 constexpr int kSmallest = 16;         // pixels
 constexpr double kSkyMargin = 0.22;   // of the frame's height, over the skyline
 const double kSteep = radians(60.0);  // an oblique view from above this has no skyline
-constexpr int kLooks = 256;           // samples a side that stand for the land in a frame
 
 int scaled(int pixels, Quality quality) {
     const int thirds = 1 + static_cast<int>(quality);
     return std::max(kSmallest, (pixels * thirds + 1) / 3);
 }
 
-double aspect(const Camera& c) { return static_cast<double>(c.width) / c.height; }
-
 // Half of the frame's height as an angle.
 double half_height(const Camera& c) {
     return std::atan(std::tan(0.5 * c.field_of_view) / aspect(c));
-}
-
-Vec3 sample_point(const Terrain& t, int x, int y) {
-    return {t.spacing * (x + 0.5), t.spacing * (t.heights.height() - y - 0.5),
-            t.heights(x, y)};
-}
-
-// The height of the mesh over a place, of its border outside; close enough for a camera.
-double ground_at(const Terrain& t, double east, double north) {
-    return bilinear(t.heights, east / t.spacing - 0.5,
-                    t.heights.height() - north / t.spacing - 0.5);
-}
-
-bool over_land(const Terrain& t, const Vec3& p) {
-    return p.x >= 0.0 && p.y >= 0.0 && p.x <= t.width() && p.y <= t.depth();
 }
 
 double mean_height(const Terrain& t) {
@@ -49,30 +32,6 @@ double mean_height(const Terrain& t) {
 
 Vec3 centre(const Terrain& t) {
     return {0.5 * t.width(), 0.5 * t.depth(), mean_height(t)};
-}
-
-// Calls visit(point) for samples all over the land, its border included.
-template <class Visit>
-void look_over(const Terrain& t, const Visit& visit) {
-    const int w = t.heights.width(), h = t.heights.height();
-    const int columns = std::min(w, kLooks), rows = std::min(h, kLooks);
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i)
-            visit(sample_point(t, i * (w - 1) / (columns - 1), j * (h - 1) / (rows - 1)));
-}
-
-// A point as the camera sees it: to the right, up and forward, metres.
-Vec3 seen(const Camera& c, const Vec3& p) {
-    const Vec3 forward = normalized(c.target - c.eye);
-    const Vec3 right = normalized(cross(forward, c.up));
-    const Vec3 d = p - c.eye;
-    return {dot(d, right), dot(d, cross(right, forward)), dot(d, forward)};
-}
-
-bool in_frame(const Camera& c, const Vec3& p) {
-    const Vec3 s = seen(c, p);
-    const double half = std::tan(0.5 * c.field_of_view) * s.z;
-    return s.z > 0.0 && std::abs(s.x) <= half && std::abs(s.y) <= half / aspect(c);
 }
 
 // Straight up or down there is no "up" left: north takes its place.
@@ -167,7 +126,7 @@ double farthest(double too_far, const Pleases& pleases) {
 Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
     // The land's diagonal is longer than any side seen, so the answer lies below.
     const double too_far =
-        2.0 * std::hypot(t.width(), t.depth()) / std::tan(0.5 * o.field_of_view);
+        2.0 * std::hypot(t.width(), t.depth()) / std::tan(0.5 * c.field_of_view);
     const double whole = farthest(
         too_far, [&](double d) { return !far_side_fits(around(c, o, t, d), t); });
     if (o.elevation >= kSteep) return around(c, o, t, whole);
@@ -182,7 +141,7 @@ Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
 
 Camera orbit(const Camera& c, const CameraOptions& o, const Terrain& t) {
     const double radius = 0.5 * std::hypot(t.width(), t.depth());
-    const double whole = radius / std::sin(0.5 * o.field_of_view);
+    const double whole = radius / std::sin(0.5 * c.field_of_view);
     return around(c, o, t, o.distance ? o.distance->in(t.width()) : whole);
 }
 
@@ -194,70 +153,94 @@ Vec3 above_ground(const std::array<Length, 3>& p, const Terrain& t) {
 Camera look_at(Camera c, const CameraOptions& o, const Terrain& t) {
     c.eye = above_ground(o.eye, t);
     c.target = above_ground(o.target, t);
-    if (length(c.target - c.eye) < 1e-6 * t.spacing)
-        throw bad_request(
-            "camera '{}': eye and target are the same point of the land; move one",
-            o.name);
-    level(c);
     return c;
 }
 
-void check_eye(const Camera& c, const CameraOptions& o, const Terrain& t) {
-    const double above = c.eye.z - ground_at(t, c.eye.x, c.eye.y);
-    if (above > 0.0 || (!over_land(t, c.eye) && o.kind != CameraOptions::Kind::kLookAt))
-        return;
-    const char* fix = o.kind == CameraOptions::Kind::kLookAt
-                          ? "its eye's third number, the height above the ground"
-                      : o.kind == CameraOptions::Kind::kOrbit
-                          ? "its elevation or its distance"
-                          : "its elevation";
-    throw bad_request("camera '{}' stands {:.3g} m under the ground: raise {}", o.name,
-                      -above, fix);
+// As a person stands, and looks at what is there in that direction.
+Camera stand(Camera c, const CameraOptions& o, const Terrain& t) {
+    c.eye = above_ground({o.position[0], o.position[1], o.eye_height}, t);
+    const Vec3 ahead = direction_to({o.heading, o.pitch});
+    if (o.looks_at_target)
+        c.target = above_ground(o.target, t);
+    else if (const auto met = where_it_meets(t, c.eye, ahead))
+        c.target = *met;
+    else
+        c.target = c.eye + std::hypot(t.width(), t.depth()) * ahead;
+    return c;
 }
 
-void check_view(const Camera& c, const CameraOptions& o, const Terrain& t) {
-    bool any = over_land(t, c.target);
-    if (!any) look_over(t, [&](const Vec3& p) { any = any || in_frame(c, p); });
-    if (!any)
-        throw bad_request(
-            "camera '{}' sees no land: it looks past it; move its target onto the land, "
-            "{:.6g} m by {:.6g} m from the south-west corner",
-            o.name, t.width(), t.depth());
+TimedCurve curve_of(const CameraOptions& o, const Terrain& t,
+                    std::array<Length, 3> CameraKey::*point) {
+    std::vector<double> frames;
+    std::vector<Vec3> points;
+    for (const CameraKey& key : o.keys) {
+        frames.push_back(key.frame);
+        points.push_back(above_ground(key.*point, t));
+    }
+    return {std::move(frames), points, o.eased};
 }
 
-// What a camera sees and stands on: water where there is some, else land.
-Terrain surface_of(const Terrain& terrain) {
-    Terrain surface;
-    surface.heights = terrain.heights;
-    surface.spacing = terrain.spacing;
-    for (std::size_t i = 0; i < surface.heights.size(); ++i)
-        surface.heights[i] += water_depth(terrain, i);
-    return surface;
+Camera on_path(Camera c, const CameraOptions& o, const Terrain& t, double frame) {
+    check_keys(o);
+    const TimedCurve eye = curve_of(o, t, &CameraKey::eye);
+    const TimedCurve target = curve_of(o, t, &CameraKey::target);
+    check_path(o, eye, target, t);
+    c.eye = eye(frame);
+    c.target = target(frame);
+    return c;
+}
+
+Camera with_lens(Camera c, const CameraOptions& o, const Terrain& t) {
+    if (!o.f_stop) return c;
+    const double focal_length =
+        o.focal_length.value_or(o.sensor_width / (2.0 * std::tan(0.5 * c.field_of_view)));
+    c.aperture = 1e-3 * focal_length / *o.f_stop;
+    c.focus_distance = o.focus            ? seen(c, above_ground(*o.focus, t)).z
+                       : o.focus_distance ? o.focus_distance->in(t.width())
+                                          : length(c.target - c.eye);
+    return c;
 }
 
 }  // namespace
 
-Camera place(const CameraOptions& options, const Terrain& land, Quality quality) {
-    const Terrain terrain = surface_of(land);
+double field_of_view(const CameraOptions& options) {
+    if (!options.focal_length) return options.field_of_view;
+    return 2.0 * std::atan(0.5 * options.sensor_width / *options.focal_length);
+}
+
+Camera place(const CameraOptions& options, const Terrain& land, Quality quality,
+             double frame, const std::optional<WaterOptions>& flood) {
+    using Kind = CameraOptions::Kind;
+    const Terrain terrain = surface_of(land, flood);
     Camera camera;
     camera.width = scaled(options.size[0], quality);
     camera.height = scaled(options.size[1], quality);
-    camera.field_of_view = options.field_of_view;
+    camera.field_of_view = field_of_view(options);
     switch (options.kind) {
-        case CameraOptions::Kind::kOverhead:
+        case Kind::kOverhead:
             return overhead(camera, terrain);
-        case CameraOptions::Kind::kOblique:
+        case Kind::kOblique:
             camera = oblique(camera, options, terrain);
             break;
-        case CameraOptions::Kind::kOrbit:
+        case Kind::kOrbit:
             camera = orbit(camera, options, terrain);
             break;
-        case CameraOptions::Kind::kLookAt:
+        case Kind::kLookAt:
             camera = look_at(camera, options, terrain);
             break;
+        case Kind::kStand:
+            camera = stand(camera, options, terrain);
+            break;
+        case Kind::kPath:
+            camera = on_path(camera, options, terrain, frame);
+            break;
     }
-    check_eye(camera, options, terrain);
+    check_axis(camera, options, terrain);
+    level(camera);
+    camera = with_lens(camera, options, terrain);
+    check_eye(camera, options, terrain, land);
     check_view(camera, options, terrain);
+    check_focus(camera, options);
     return camera;
 }
 

@@ -25,12 +25,13 @@ Sun chosen_sun(const render::CameraOptions& camera, const render::Options& optio
 
 render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
                      const Terrain& terrain) {
-    return {job.spec.title,
-            camera.name,
-            render::place(camera, terrain, job.request.quality),
-            chosen_sun(camera, job.spec.render, terrain),
-            job.spec.render,
-            job.request.quality};
+    return {
+        job.spec.title,
+        camera.name,
+        render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water),
+        chosen_sun(camera, job.spec.render, terrain),
+        job.spec.render,
+        job.request.quality};
 }
 
 // Names in the pov folder as outputs.

@@ -67,8 +67,15 @@ Made trace(Job& job, const std::string& frame, const FrameOf& of) {
     return {{"pov/" + frame + ".exr"}};
 }
 
-std::uint64_t delivery_key(const Job& job, const std::string& frame, const FrameOf& of) {
-    const render::ColourOptions& colour = job.spec.render.colour;
+// The scene's, with the camera's own exposure added.
+render::ColourOptions colour_of(const Job& job, const render::CameraOptions& camera) {
+    render::ColourOptions colour = job.spec.render.colour;
+    colour.exposure += camera.exposure;
+    return colour;
+}
+
+std::uint64_t delivery_key(const Job& job, const std::string& frame,
+                           const render::ColourOptions& colour, const FrameOf& of) {
     return hash_text(
         fmt::format("{:016x} {:016x} {:016x} {:016x} {} {} {} {} {} {} {} {}",
                     hash_of_file(job.folder / "pov" / (frame + ".exr")), job.program,
@@ -77,14 +84,15 @@ std::uint64_t delivery_key(const Job& job, const std::string& frame, const Frame
                     of.when, of.exposure ? fmt::format("{}", of.exposure()) : "its own"));
 }
 
-Made deliver(Job& job, const std::string& frame, const FrameOf& of) {
+Made deliver(Job& job, const std::string& frame, const render::ColourOptions& colour,
+             const FrameOf& of) {
     make_folder(job.folder / "frames");
     Metadata metadata = job.metadata();
     metadata["cydonia:camera"] = of.camera.empty() ? frame : of.camera;
     if (!of.when.empty()) metadata["cydonia:when"] = of.when;
     metadata["cydonia:quality"] = name_of(job.request.quality);
     render::deliver_frame(job.folder / "pov" / (frame + ".exr"), job.folder / "frames",
-                          frame, job.spec.render.colour, metadata,
+                          frame, colour, metadata,
                           of.exposure ? std::optional(of.exposure()) : std::nullopt);
     return {{"frames/" + frame + ".exr", "frames/" + frame + ".png"}};
 }
@@ -111,17 +119,20 @@ std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
                               const FrameOf& of) {
     const std::string frame = camera.name;
     const std::uint64_t pixels = pixels_of(camera);
-    return {{.name = "trace " + frame,
-             .goal = Goal::kFrames,
-             .memory = memory::of_trace(job.cells(), pixels),
-             .key = [&job, frame] { return trace_key(job, frame); },
-             .run = [&job, frame, of] { return trace(job, frame, of); },
-             .before = [] { render::povray_program(); }},
-            {.name = "deliver " + frame,
-             .goal = Goal::kFrames,
-             .memory = memory::of_delivery(pixels),
-             .key = [&job, frame, of] { return delivery_key(job, frame, of); },
-             .run = [&job, frame, of] { return deliver(job, frame, of); }}};
+    const render::ColourOptions colour = colour_of(job, camera);
+    return {
+        {.name = "trace " + frame,
+         .goal = Goal::kFrames,
+         .memory = memory::of_trace(job.cells(), pixels),
+         .key = [&job, frame] { return trace_key(job, frame); },
+         .run = [&job, frame, of] { return trace(job, frame, of); },
+         .before = [] { render::povray_program(); }},
+        {.name = "deliver " + frame,
+         .goal = Goal::kFrames,
+         .memory = memory::of_delivery(pixels),
+         .key = [&job, frame, colour,
+                 of] { return delivery_key(job, frame, colour, of); },
+         .run = [&job, frame, colour, of] { return deliver(job, frame, colour, of); }}};
 }
 
 }  // namespace cydonia

@@ -16,6 +16,7 @@ namespace cydonia::config {
 void read(Table& t, Sun& sun);                       // common.cpp
 void read(Table& t, Place& place);                   // frames.cpp
 void read(Table& t, NoiseOptions& noise);            // common.cpp
+void read(Table& t, render::CameraKey& key);         // render_cameras.cpp
 void read(Table& t, render::CameraOptions& camera);  // render_cameras.cpp
 void read(Table& t, dem::Options& o);                // dem.cpp
 void read(Table& t, distance::Options& o);           // distance.cpp

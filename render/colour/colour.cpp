@@ -25,6 +25,9 @@ using Matrix = std::array<std::array<float, 3>, 3>;
 constexpr Matrix kAcesCgFromRec709{{{0.6130974f, 0.3395231f, 0.0473795f},
                                     {0.0701937f, 0.9163539f, 0.0134524f},
                                     {0.0206156f, 0.1095698f, 0.8698146f}}};
+constexpr Matrix kRec709FromAcesCg{{{1.7050510f, -0.6217921f, -0.0832589f},
+                                    {-0.1302564f, 1.1408047f, -0.0105483f},
+                                    {-0.0240034f, -0.1289690f, 1.1529725f}}};
 
 float dot(const std::array<float, 3>& a, const Rgb& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -83,20 +86,25 @@ std::string chosen(const std::string& what, const std::string& wish,
                       fmt::format("{}", fmt::join(names, ", ")));
 }
 
-// The colour space our values enter by. Configs have called the two we know by many
-// names.
+// The colour space our values enter by. Configs have called those we know by many names.
 struct Entrance {
     const char* space;
-    bool is_rec709;  // else ACEScg
+    enum class Primaries { kAcesCg, kRec709, kAces2065 } primaries;
 };
 
 Entrance entrance_of(const OCIO::Config& config, const std::filesystem::path& file) {
+    using enum Entrance::Primaries;
     for (const char* name : {"ACEScg", "ACES - ACEScg", "lin_ap1"})
-        if (config.getColorSpace(name)) return {name, false};
+        if (config.getColorSpace(name)) return {name, kAcesCg};
+    // A role since OpenColorIO 2, there for this.
+    for (const char* name : {"aces_interchange", "ACES2065-1", "ACES - ACES2065-1"})
+        if (config.getColorSpace(name)) return {name, kAces2065};
+    // Blender's and Nuke's own configs say no more than "linear", and mean Rec.709.
     for (const char* name :
          {"lin_rec709_srgb", "lin_rec709", "lin_srgb", "Linear Rec.709 (sRGB)",
-          "Linear Rec.709", "Utility - Linear - Rec.709", "Utility - Linear - sRGB"})
-        if (config.getColorSpace(name)) return {name, true};
+          "Linear Rec.709", "Utility - Linear - Rec.709", "Utility - Linear - sRGB",
+          "linear"})
+        if (config.getColorSpace(name)) return {name, kRec709};
     throw bad_request(
         "{}: has no colour space named ACEScg or lin_rec709; give its linear colour "
         "space that alias",
@@ -114,13 +122,21 @@ OCIO::ConstTransformRcPtr rec709_from_acescg() {
     return matrix;
 }
 
+OCIO::TransformRcPtr aces2065_from_acescg() {
+    const auto builtin = OCIO::BuiltinTransform::Create();
+    builtin->setStyle("ACEScg_to_ACES2065-1");
+    return builtin;
+}
+
 OCIO::ConstCPUProcessorRcPtr processor_of(const OCIO::Config& config,
                                           const Entrance& entrance,
                                           const std::string& display,
                                           const std::string& view) {
     const auto group = OCIO::GroupTransform::Create();
-    if (entrance.is_rec709)
+    if (entrance.primaries == Entrance::Primaries::kRec709)
         group->appendTransform(rec709_from_acescg()->createEditableCopy());
+    if (entrance.primaries == Entrance::Primaries::kAces2065)
+        group->appendTransform(aces2065_from_acescg());
     const auto shown = OCIO::DisplayViewTransform::Create();
     shown->setSrc(entrance.space);
     shown->setDisplay(display.c_str());
@@ -139,6 +155,11 @@ std::uint8_t byte_of(float value) {
 Rgb acescg_from_rec709(const Rgb& rec709) {
     return {dot(kAcesCgFromRec709[0], rec709), dot(kAcesCgFromRec709[1], rec709),
             dot(kAcesCgFromRec709[2], rec709)};
+}
+
+Rgb rec709_from_acescg(const Rgb& acescg) {
+    return {dot(kRec709FromAcesCg[0], acescg), dot(kRec709FromAcesCg[1], acescg),
+            dot(kRec709FromAcesCg[2], acescg)};
 }
 
 float luminance(const Rgb& acescg) {

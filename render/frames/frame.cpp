@@ -8,17 +8,12 @@
 #include "field/error.h"
 #include "field/parallel.h"
 #include "render/colour/colour.h"
+#include "render/colour/exposure.h"
 
 namespace cydonia::render {
 namespace {
 
 constexpr float kLargestHalf = 65504.0f;
-
-// The exposure of its own: the light that nine tenths of the picture stay under is
-// rendered as kBright, six stops up or down at most.
-constexpr double kBright = 0.6;
-constexpr double kShareBelowBright = 0.9;
-constexpr double kMostStops = 6.0;
 
 // The grade before the view: output transform and haze leave landscapes flat.
 constexpr float kMiddleGrey = 0.18f;
@@ -37,19 +32,6 @@ Field<Rgb> acescg_of(Field<Rgb> frame) {
                 {finite(pixel[0]), finite(pixel[1]), finite(pixel[2])});
     });
     return frame;
-}
-
-// What is left in a black frame is to be seen as black.
-double automatic_stops(const Field<Rgb>& acescg) {
-    std::vector<float> light(acescg.size());
-    std::transform(acescg.begin(), acescg.end(), light.begin(), luminance);
-    if (light.empty()) return 0.0;
-    const auto bright =
-        light.begin() + static_cast<std::ptrdiff_t>(
-                            kShareBelowBright * static_cast<double>(light.size() - 1));
-    std::nth_element(light.begin(), bright, light.end());
-    if (!(*bright > 0.0f)) return 0.0;
-    return std::clamp(std::log2(kBright / *bright), -kMostStops, kMostStops);
 }
 
 float with_contrast(float value) {
@@ -82,8 +64,7 @@ void deliver_frame(const std::filesystem::path& povray_exr,
                    std::optional<double> exposure) {
     const Display display(colour);
     Field<Rgb> frame = acescg_of(read_exr_rgb(povray_exr));
-    const double stops =
-        (exposure ? *exposure : automatic_stops(frame)) + colour.exposure;
+    const double stops = (exposure ? *exposure : own_stops(frame)) + colour.exposure;
 
     Metadata told = metadata;
     told["cydonia:exposure"] = fmt::format("{:.3f} EV", stops);
@@ -95,7 +76,7 @@ void deliver_frame(const std::filesystem::path& povray_exr,
 }
 
 double own_exposure(const std::filesystem::path& povray_exr) {
-    return automatic_stops(acescg_of(read_exr_rgb(povray_exr)));
+    return own_stops(acescg_of(read_exr_rgb(povray_exr)));
 }
 
 }  // namespace cydonia::render

@@ -31,7 +31,7 @@ double pixel_size(const Camera& camera);
 std::string land_numbers(const Heights16& heights, double spacing);
 std::string light_numbers(const Shot& shot);
 std::string settings(const Shot& shot);
-std::string camera(const Camera& camera);
+std::string camera(const Shot& shot);
 std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
 std::string haze();

@@ -76,7 +76,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::land_numbers(heights, spacing);
     text += pov::light_numbers(shot);
     text += pov::settings(shot);
-    text += pov::camera(shot.camera);
+    text += pov::camera(shot);
     text += pov::sun(shot);
     text += pov::sky(shot);
     if (pov::has_haze(shot)) text += pov::haze();

@@ -79,6 +79,18 @@ std::string in_plain_scene(std::string table, const std::string& stage) {
     return table;
 }
 
+// A camera whose keys only its kind has.
+std::string camera_for(const std::string& path) {
+    for (const char* key : {"eye_height", "heading", "pitch"})
+        if (path == std::string("render.camera[0].") + key)
+            return "render.camera=[{name=\"a\",kind=\"stand\",position=[9,9]}]";
+    if (path == "render.camera[0].eased")
+        return "render.camera=[{name=\"a\",kind=\"path\",key=["
+               "{frame=0,eye=[0,0,9],target=[9,9,0]},"
+               "{frame=1,eye=[9,0,9],target=[9,9,0]}]}]";
+    return "";
+}
+
 // What else must be set where a key is allowed only then: another key of its table, and
 // its value.
 std::string needed_for(const std::string& path) {
@@ -87,10 +99,12 @@ std::string needed_for(const std::string& path) {
         {"cost.less", "share=[0.0, 1.0]"}, {"noise.offset", "kind=ridged"},
         {"noise.gain", "kind=ridged"},     {"strata.hardness", "layers=3"},
         {"paste[0].turn", "exemplar=1"},   {"paste[0].mirror", "exemplar=1"},
+        {"sensor_width", "f_stop=8.0"},
     };
     for (const char* key : {"faithful", "natural", "hidden"})
         if (path == std::string("terrain.stage[1].") + key)
             return "terrain.stage[1].solver=constrained";
+    if (const std::string camera = camera_for(path); !camera.empty()) return camera;
     for (const auto& [end, need] : needs)
         if (path.ends_with(end)) return path.substr(0, path.rfind('.') + 1) + need;
     return "seed=1";
@@ -208,6 +222,18 @@ TEST_F(Docs, YourOwnMountainsRead) {
         EXPECT_EQ(complaint(scene), "") << example;
     }
     EXPECT_EQ(examples.size(), 8u);
+}
+
+TEST_F(Docs, CamerasAndColourRead) {
+    const std::string land =
+        "[[terrain.stage]]\nmethod = \"distance\"\ngroup = [{ peaks = { count = 3 } }]\n";
+    std::size_t count = 0;
+    for (const char* name : {"cameras.md", "colour.md"})
+        for (const std::string& example : examples_of(page(name))) {
+            EXPECT_EQ(complaint(land + example), "") << example;
+            ++count;
+        }
+    EXPECT_EQ(count, 6u);
 }
 
 }  // namespace

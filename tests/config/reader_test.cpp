@@ -92,13 +92,22 @@ TEST_F(Reader, FullSceneOfTerrain) {
 
 TEST_F(Reader, FullSceneOfRender) {
     const render::Options r = load(golden_text("full.toml")).at(0).render;
-    ASSERT_EQ(r.cameras.size(), 3u);
+    ASSERT_EQ(r.cameras.size(), 5u);
     EXPECT_EQ(r.cameras[0].kind, render::CameraOptions::Kind::kOverhead);
     EXPECT_EQ(r.cameras[0].size, (std::array{1024, 512}));
     EXPECT_EQ(r.cameras[1].distance, of_width(0.9));
     EXPECT_EQ(r.cameras[1].sun->azimuth, radians(120.0));
     EXPECT_EQ(r.cameras[2].eye[1], of_width(0.5));
     EXPECT_EQ(r.cameras[2].eye[2], metres(30.0));
+    EXPECT_EQ(r.cameras[2].focal_length, 85.0);
+    EXPECT_EQ((*r.cameras[2].focus)[0], metres(120.0));
+    EXPECT_EQ(r.cameras[2].exposure, -0.5);
+    EXPECT_EQ(r.cameras[3].heading, radians(350.0));
+    EXPECT_EQ(r.cameras[3].pitch, radians(-2.0));
+    EXPECT_FALSE(r.cameras[3].looks_at_target);
+    EXPECT_EQ(r.cameras[4].keys[1].frame, 48.0);
+    EXPECT_EQ(r.cameras[4].keys[1].eye[0], of_width(0.9));
+    EXPECT_EQ(r.cameras[4].shutter_angle, radians(90.0));
     EXPECT_EQ(r.water->level, metres(12.0));
     EXPECT_EQ(r.ground.rock_slope[1], radians(42.0));
     EXPECT_EQ(r.colour.view, "ACES");

@@ -194,6 +194,122 @@ TEST(LookAt, PastTheLandButOverItIsFine) {
         "");
 }
 
+// Lies over the land and looks up: what it looks to is over the land, but not in view.
+TEST(LookAt, IntoTheSkyIsRefused) {
+    const std::string text = refusal(
+        looking({-500.0, 320.0, 9.0}, {320.0, 320.0, 2000.0}), cone(64, 64, 200.0));
+    EXPECT_NE(text.find("sees no land: it looks 90.0 degrees clockwise from north and 6"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("change its target so that it looks 90.0 degrees"),
+              std::string::npos)
+        << text;
+}
+
+// Too near and too narrow for any sample of the land to be in the frame.
+TEST(LookAt, OneStoneIsLandEnough) {
+    CameraOptions o = looking({321.0, 320.0, 0.5}, {321.3, 320.0, 0.0});
+    o.field_of_view = radians(1.0);
+    EXPECT_EQ(refusal(o, cone(64, 64, 0.0)), "");
+}
+
+CameraOptions standing(double east, double north, double heading) {
+    CameraOptions c = camera(Kind::kStand);
+    c.position = {metres(east), metres(north)};
+    c.heading = radians(heading);
+    return c;
+}
+
+// On the surface that is drawn: squares are split from north-west to south-east.
+TEST(Stand, EyesAreAboveTheMesh) {
+    Terrain t = cone(64, 64, 0.0);
+    t.heights(20, 20) = 130.0f;  // its square's north-west corner
+    const double east = 205.0, north = 640.0 - 205.0;
+    const auto eye_over = [&](double x, double y) {
+        return place(standing(east + x, north - y, 180.0), t, Quality::kDraft).eye.z;
+    };
+    EXPECT_NEAR(eye_over(0.0, 0.0), 131.8, 1e-4);
+    EXPECT_NEAR(eye_over(5.0, 5.0), 116.8, 1e-4);   // on the ridge of the split
+    EXPECT_NEAR(eye_over(-5.0, 5.0), 101.8, 1e-4);  // across it: a flat triangle's edge
+    EXPECT_NEAR(eye_over(7.0, 1.0), 110.8, 1e-4);
+}
+
+TEST(Stand, LooksWhereItsHeadingSays) {
+    const Terrain t = cone(64, 64, 200.0);
+    for (const double heading : {0.0, 45.0, 90.0, 200.0, 270.0}) {
+        CameraOptions o = standing(320.0 - 280.0 * std::sin(radians(heading)),
+                                   320.0 - 280.0 * std::cos(radians(heading)), heading);
+        const Camera c = place(o, t, Quality::kDraft);
+        EXPECT_NEAR(in_frame(c, {320.0, 320.0, 101.8}).x, 0.0, 1e-6) << heading;
+        EXPECT_GT(in_frame(c, {320.0, 320.0, 101.8}).z, 200.0) << heading;
+        o.pitch = radians(5.0);
+        EXPECT_LT(in_frame(place(o, t, Quality::kDraft), {320.0, 320.0, 101.8}).y, 0.0);
+    }
+}
+
+TEST(Stand, LooksAtTheGroundItMeets) {
+    CameraOptions o = standing(320.0, 320.0, 90.0);
+    o.pitch = radians(-45.0);
+    const Camera c = place(o, cone(64, 64, 0.0), Quality::kDraft);
+    EXPECT_NEAR(c.target.x, 321.8, 1e-3);
+    EXPECT_NEAR(c.target.z, 100.0, 1e-3);
+}
+
+TEST(Stand, OrAtItsTarget) {
+    CameraOptions o = standing(100.0, 100.0, 0.0);
+    o.looks_at_target = true;
+    o.target = {metres(320.0), metres(320.0), metres(0.0)};
+    const Camera c = place(o, cone(64, 64, 200.0), Quality::kDraft);
+    EXPECT_NEAR(c.target.x, 320.0, 1e-9);
+    EXPECT_GT(c.target.z, 280.0);
+}
+
+TEST(Stand, AtTheBorderLookingOutIsRefused) {
+    const std::string text = refusal(standing(630.0, 320.0, 90.0), cone(64, 64, 200.0));
+    EXPECT_NE(text.find("change its heading and pitch so that it looks 270.0 degrees"),
+              std::string::npos)
+        << text;
+}
+
+TEST(Lens, FocalLengthAndSensorAreAFieldOfView) {
+    CameraOptions o = camera(Kind::kOrbit);
+    o.focal_length = 50.0;
+    EXPECT_NEAR(degrees(field_of_view(o)), 39.598, 1e-3);  // 36 mm, as lens tables print
+    o.sensor_width = 24.9;
+    EXPECT_NEAR(degrees(field_of_view(o)), 27.955, 1e-2);
+    const Camera c = place(o, cone(64, 64, 200.0), Quality::kDraft);
+    EXPECT_EQ(c.field_of_view, field_of_view(o));
+    EXPECT_EQ(c.aperture, 0.0);
+}
+
+TEST(Lens, OpeningIsFocalLengthOverItsStop) {
+    CameraOptions o = looking({100.0, 100.0, 5.0}, {400.0, 500.0, 5.0});
+    o.f_stop = 2.0;
+    o.focal_length = 50.0;
+    const Terrain t = cone(64, 64, 0.0);
+    EXPECT_NEAR(place(o, t, Quality::kDraft).aperture, 0.025, 1e-12);
+    EXPECT_NEAR(place(o, t, Quality::kDraft).focus_distance, 500.0, 1e-6);
+    o.focal_length.reset();
+    o.field_of_view = 2.0 * std::atan(0.5);  // as wide as the sensor at its distance
+    EXPECT_NEAR(place(o, t, Quality::kDraft).aperture, 0.018, 1e-12);
+}
+
+TEST(Lens, FocusIsADistanceAlongTheViewOrAPoint) {
+    CameraOptions o = looking({100.0, 100.0, 5.0}, {500.0, 100.0, 5.0});
+    o.f_stop = 2.0;
+    const Terrain t = cone(64, 64, 0.0);
+    o.focus_distance = metres(12.0);
+    EXPECT_NEAR(place(o, t, Quality::kDraft).focus_distance, 12.0, 1e-9);
+    o.focus_distance.reset();
+    o.focus = {metres(130.0), metres(170.0), metres(0.0)};  // aside of the view
+    EXPECT_NEAR(place(o, t, Quality::kDraft).focus_distance, 30.0, 1e-9);
+    o.focus = {metres(60.0), metres(100.0), metres(0.0)};
+    const std::string text = refusal(o, t);
+    EXPECT_NE(text.find("is to be sharp 40 m behind itself: move its focus"),
+              std::string::npos)
+        << text;
+}
+
 // A sea over level land at 100 m.
 Terrain flooded(float level) {
     Terrain t = cone(64, 64, 0.0);
@@ -206,7 +322,28 @@ TEST(Cameras, StandAboveWater) {
     EXPECT_NEAR(place(o, flooded(130.0f), Quality::kDraft).eye.z, 135.0, 1e-3);
     EXPECT_NEAR(place(o, flooded(80.0f), Quality::kDraft).eye.z, 105.0, 1e-3);
     const CameraOptions low = looking({100.0, 320.0, -5.0}, {600.0, 320.0, 0.0});
-    EXPECT_NE(refusal(low, flooded(130.0f)), "");
+    EXPECT_NE(refusal(low, flooded(130.0f)).find("stands 5 m under the water: raise"),
+              std::string::npos);
+    EXPECT_NE(refusal(low, flooded(80.0f)).find("stands 5 m under the ground: raise"),
+              std::string::npos);
+}
+
+TEST(Cameras, StandAboveTheFlood) {
+    const WaterOptions flood{metres(150.0)};
+    const Terrain t = cone(64, 64, 200.0);
+    const CameraOptions o = looking({20.0, 320.0, 5.0}, {320.0, 320.0, 0.0});
+    EXPECT_NEAR(place(o, t, Quality::kDraft).eye.z, 105.0, 1e-3);
+    EXPECT_NEAR(place(o, t, Quality::kDraft, 0.0, flood).eye.z, 155.0, 1e-3);
+}
+
+// Level country as low as the land's lowest border lies around it.
+TEST(Cameras, BelowTheOutskirtsIsRefused) {
+    Terrain bowl = cone(64, 64, -4000.0);
+    CameraOptions o = camera(Kind::kOrbit);
+    o.elevation = radians(5.0);
+    EXPECT_NE(refusal(o, bowl).find("under the ground: raise its elevation"),
+              std::string::npos)
+        << refusal(o, bowl);
 }
 
 TEST(Size, FollowsTheQuality) {

@@ -1,0 +1,110 @@
+#include "render/camera_view.h"
+
+#include <cmath>
+#include <limits>
+
+namespace cydonia::render {
+namespace {
+
+// The part of a ray that may meet the land, as distances along it.
+struct Span {
+    double from = 0.0, to = std::numeric_limits<double>::infinity();
+
+    void cut(double start, double step, double low, double high) {
+        if (std::abs(step) < 1e-12) {
+            if (start < low || start > high) to = -1.0;
+            return;
+        }
+        const double a = (low - start) / step, b = (high - start) / step;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+};
+
+Span within(const Terrain& t, const Vec3& start, const Vec3& step) {
+    const auto [lowest, highest] = std::ranges::minmax(t.heights);
+    Span span;
+    span.cut(start.x, step.x, 0.0, t.width());
+    span.cut(start.y, step.y, 0.0, t.depth());
+    span.cut(start.z, step.z, lowest - 1.0, highest + 1.0);
+    return span;
+}
+
+}  // namespace
+
+Terrain surface_of(const Terrain& terrain, const std::optional<WaterOptions>& flood) {
+    Terrain surface;
+    surface.heights = terrain.heights;
+    surface.spacing = terrain.spacing;
+    for (std::size_t i = 0; i < surface.heights.size(); ++i)
+        surface.heights[i] += water_depth(terrain, i);
+    if (flood) {
+        const auto level = static_cast<float>(flood->level.in(terrain.width()));
+        for (float& height : surface.heights) height = std::max(height, level);
+    }
+    return surface;
+}
+
+double ground_at(const Terrain& t, double east, double north) {
+    const Field<float>& h = t.heights;
+    const double x = std::clamp(east / t.spacing - 0.5, 0.0, h.width() - 1.0);
+    const double y =
+        std::clamp(h.height() - north / t.spacing - 0.5, 0.0, h.height() - 1.0);
+    const int i = std::min(static_cast<int>(x), std::max(0, h.width() - 2));
+    const int j = std::min(static_cast<int>(y), std::max(0, h.height() - 2));
+    const int i1 = std::min(i + 1, h.width() - 1), j1 = std::min(j + 1, h.height() - 1);
+    // Split from north-west to south-east, as it is drawn.
+    const double u = x - i, v = y - j, nw = h(i, j), se = h(i1, j1);
+    return u > v ? nw + u * (h(i1, j) - nw) + v * (se - h(i1, j))
+                 : nw + v * (h(i, j1) - nw) + u * (se - h(i, j1));
+}
+
+bool over_land(const Terrain& t, const Vec3& p) {
+    return p.x >= 0.0 && p.y >= 0.0 && p.x <= t.width() && p.y <= t.depth();
+}
+
+double outskirts_height(const Terrain& t) {
+    const int w = t.heights.width(), h = t.heights.height();
+    float lowest = t.heights(0, 0);
+    for (int x = 0; x < w; ++x)
+        lowest = std::min({lowest, t.heights(x, 0), t.heights(x, h - 1)});
+    for (int y = 0; y < h; ++y)
+        lowest = std::min({lowest, t.heights(0, y), t.heights(w - 1, y)});
+    return lowest;
+}
+
+double aspect(const Camera& c) { return static_cast<double>(c.width) / c.height; }
+
+Vec3 seen(const Camera& c, const Vec3& p) {
+    const Vec3 forward = normalized(c.target - c.eye);
+    const Vec3 right = normalized(cross(forward, c.up));
+    const Vec3 d = p - c.eye;
+    return {dot(d, right), dot(d, cross(right, forward)), dot(d, forward)};
+}
+
+bool in_frame(const Camera& c, const Vec3& p) {
+    const Vec3 s = seen(c, p);
+    const double half = std::tan(0.5 * c.field_of_view) * s.z;
+    return s.z > 0.0 && std::abs(s.x) <= half && std::abs(s.y) <= half / aspect(c);
+}
+
+std::optional<Vec3> where_it_meets(const Terrain& t, const Vec3& from,
+                                   const Vec3& direction) {
+    const auto above = [&](double along) {
+        const Vec3 p = from + along * direction;
+        return p.z - ground_at(t, p.x, p.y);
+    };
+    const Span span = within(t, from, direction);
+    for (double along = span.from; along < span.to; along += 0.5 * t.spacing) {
+        double low = along, high = std::min(along + 0.5 * t.spacing, span.to);
+        if (above(high) > 0.0) continue;
+        for (int i = 0; i < 40; ++i) {
+            const double middle = 0.5 * (low + high);
+            (above(middle) > 0.0 ? low : high) = middle;
+        }
+        return from + high * direction;
+    }
+    return std::nullopt;
+}
+
+}  // namespace cydonia::render
