@@ -1,0 +1,115 @@
+// Things on the ground: a few originals and many copies, metres until the end.
+#include "render/pov/things.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "render/pov/pieces.h"
+#include "render/things/originals.h"
+#include "render/things/placement.h"
+
+namespace cydonia::render::pov {
+namespace {
+
+constexpr const char* kNames[] = {"Conifer", "Broadleaf", "Shrub",
+                                  "Grass",   "Rock",      "Boulder"};
+
+// A copy takes about two kilobytes of POV-Ray.
+std::size_t most_copies(Quality quality) {
+    switch (quality) {
+        case Quality::kDraft:
+            return 10'000;
+        case Quality::kPreview:
+            return 60'000;
+        case Quality::kFinal:
+            break;
+    }
+    return 200'000;
+}
+
+std::string vector(const std::array<float, 3>& v) {
+    return fmt::format("<{:.4g},{:.4g},{:.4g}>", v[0], v[2], v[1]);
+}
+
+// Corners' normals, by the faces around them.
+std::vector<std::array<float, 3>> normals_of(const Original::Part& part) {
+    std::vector<Vec3> sums(part.vertices.size());
+    const auto at = [&](std::uint32_t i) {
+        return Vec3{part.vertices[i][0], part.vertices[i][1], part.vertices[i][2]};
+    };
+    for (const auto& [a, b, c] : part.triangles) {
+        const Vec3 n = cross(at(b) - at(a), at(c) - at(a));
+        for (const std::uint32_t i : {a, b, c}) sums[i] = sums[i] + n;
+    }
+    std::vector<std::array<float, 3>> normals;
+    for (const Vec3& sum : sums) {
+        const Vec3 n = normalized(sum);
+        normals.push_back({float(n.x), float(n.y), float(n.z)});
+    }
+    return normals;
+}
+
+template <class Vectors>
+void list(std::string& text, const char* what, const Vectors& vectors) {
+    text += fmt::format("    {} {{ {}", what, vectors.size());
+    for (const auto& v : vectors) text += "," + vector(v);
+    text += " }\n";
+}
+
+std::string mesh(const Original::Part& part) {
+    std::string text = "mesh2 {\n";
+    list(text, "vertex_vectors", part.vertices);
+    if (part.smooth) list(text, "normal_vectors", normals_of(part));
+    text += fmt::format("    face_indices {{ {}", part.triangles.size());
+    for (const auto& [a, b, c] : part.triangles)
+        text += fmt::format(",<{},{},{}>", a, b, c);
+    return text + fmt::format(
+                      " }}\n    texture {{ pigment {{ color rgb <{}> }} "
+                      "finish {{ ThingFinish }} }}\n}}\n",
+                      numbers(part.albedo));
+}
+
+std::string original(ThingOptions::Kind kind, int number) {
+    const Original of = original_of(kind, number);
+    std::string text =
+        fmt::format("#declare {}{} = union {{\n", kNames[static_cast<int>(kind)], number);
+    for (const Original::Part& part : of.parts) text += mesh(part);
+    return text + "}\n";
+}
+
+}  // namespace
+
+std::string things(const Shot& shot, const Terrain& terrain) {
+    const std::vector<ThingOptions>& kinds = shot.options.things;
+    if (kinds.empty()) return "";
+    // Light through leaves and between blades is not traced: half the sky's stands for
+    // it.
+    std::string text = R"(// Things on the ground: x east, y up, z north, metres.
+#declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.35 * SkyLight * SkyFill }
+)";
+    std::array<bool, std::size(kNames)> declared{};
+    std::string copies;
+    for (int i = 0; i < int(kinds.size()); ++i) {
+        const ThingOptions& of = kinds[std::size_t(i)];
+        const char* name = kNames[static_cast<int>(of.kind)];
+        const std::vector<Thing> all =
+            things_in_view(terrain, of, i, shot.camera,
+                           most_copies(shot.quality) / kinds.size(), shot.options.water);
+        for (const Thing& thing : all)
+            fmt::format_to(std::back_inserter(copies),
+                           "object{{{}{} scale {:.3g} rotate {:.0f}*y "
+                           "translate<{:.7g},{:.7g},{:.7g}>}}\n",
+                           name, thing.original, thing.height, degrees(thing.turn),
+                           thing.foot.x, thing.foot.z, thing.foot.y);
+        if (all.empty() || std::exchange(declared[std::size_t(of.kind)], true)) continue;
+        for (int k = 0; k < kOriginals; ++k) text += original(of.kind, k);
+    }
+    if (copies.empty()) return "";
+    return text + "union {\n" + copies + "    scale 1 / Unit\n}\n";
+}
+
+}  // namespace cydonia::render::pov

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "field/terrain.h"
+#include "render/pov/scene.h"
+
+namespace cydonia::render::pov {
+
+// What `things_<shot>.inc` says: the originals, and their copies that the shot's camera
+// sees. Empty where the scene has no things.
+std::string things(const Shot& shot, const Terrain& terrain);
+
+}  // namespace cydonia::render::pov

@@ -1,0 +1,269 @@
+#include "render/things/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "field/error.h"
+#include "field/image.h"
+#include "field/noise.h"
+#include "field/parallel.h"
+#include "field/random.h"
+#include "field/sample.h"
+#include "render/things/originals.h"
+
+namespace cydonia::render {
+namespace {
+
+constexpr double kMostPlaces = 32e6;  // looked at for a kind and frame
+constexpr double kLeastPixels = 1.0;  // a thing lower than that is not worth its memory
+constexpr double kGroup = 12.0;       // mean distances from one group to the next
+constexpr double kTreeLine = 0.12;    // of the relief, in which things thin out
+constexpr double kBehind = 12.0;  // heights: so far out of view a shadow may come from
+
+double smooth(double from, double to, double v) {
+    const double t = std::clamp((v - from) / (to - from), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// Where on the land a kind stands, and how tall.
+class Suitability {
+  public:
+    Suitability(const Terrain& terrain, const ThingOptions& options, double distance,
+                int number, const std::optional<WaterOptions>& flood)
+        : terrain_(terrain),
+          options_(options),
+          slope_(options.slope.value_or(habit_of(options.kind).slope)),
+          group_(kGroup * distance),
+          seed_(hash_of({key("things"), key("groups"), std::uint64_t(number)})) {
+        if (flood) flood_ = flood->level.in(terrain.width());
+        const auto [low, high] = std::ranges::minmax(terrain.heights);
+        band_ = std::max(1.0, kTreeLine * (double(high) - low));
+        if (options.from) from_ = options.from->in(terrain.width());
+        if (options.to) to_ = options.to->in(terrain.width());
+        if (!options.mask.empty()) {
+            const auto mask = terrain.masks.find(options.mask);
+            if (mask == terrain.masks.end()) {
+                std::string known;
+                for (const auto& [name, field] : terrain.masks)
+                    known += (known.empty() ? "" : ", ") + name;
+                throw bad_request("render.thing: no mask '{}': this land has {}",
+                                  options.mask, known.empty() ? "none" : known);
+            }
+            mask_ = &mask->second;
+        }
+        if (options.map) map_ = read_grey(*options.map);
+    }
+
+    // In cells; the share of all places that are taken there.
+    double at(double x, double y, double height) const {
+        if (shows_image(x, y)) return 0.0;
+        double share =
+            1.0 - smooth(std::tan(slope_[0]), std::tan(slope_[1]), steepness(x, y));
+        if (from_) share *= smooth(*from_ - 0.1 * band_, *from_ + 0.1 * band_, height);
+        if (to_) share *= 1.0 - smooth(*to_ - band_, *to_, height);
+        if (mask_) share *= bilinear(*mask_, x, y);
+        if (!map_.empty())
+            share *=
+                bilinear(map_, (x + 0.5) / terrain_.heights.width() * map_.width() - 0.5,
+                         (y + 0.5) / terrain_.heights.height() * map_.height() - 0.5);
+        if (share <= 0.0 || is_wet(x, y, height)) return 0.0;
+        const double e = x * terrain_.spacing / group_, n = y * terrain_.spacing / group_;
+        const double grouped =
+            smooth(-0.25, 0.2,
+                   gradient_noise(e, n, seed_) +
+                       0.5 * gradient_noise(3.1 * e, 3.1 * n, mix(seed_)));
+        return share * (1.0 - options_.clumping + options_.clumping * grouped);
+    }
+    // Of its full height: small towards the tree line.
+    double growth(double height) const {
+        return to_ ? 1.0 - 0.65 * smooth(*to_ - band_, *to_, height) : 1.0;
+    }
+
+  private:
+    double steepness(double x, double y) const {
+        x = std::clamp(x, 0.5, terrain_.heights.width() - 1.5);
+        y = std::clamp(y, 0.5, terrain_.heights.height() - 1.5);
+        const auto h = [&](double dx, double dy) {
+            return double(bilinear(terrain_.heights, x + dx, y + dy));
+        };
+        return std::hypot(h(0.5, 0) - h(-0.5, 0), h(0, 0.5) - h(0, -0.5)) /
+               terrain_.spacing;
+    }
+    std::size_t nearest(double x, double y) const {
+        const Field<float>& h = terrain_.heights;
+        return h.index(std::clamp(int(std::lround(x)), 0, h.width() - 1),
+                       std::clamp(int(std::lround(y)), 0, h.height() - 1));
+    }
+    bool shows_image(double x, double y) const {
+        return !options_.in_image &&
+               std::ranges::any_of(terrain_.shadows, [&](const ShadowImage& image) {
+                   return image.window.empty() || image.window[nearest(x, y)] != 0;
+               });
+    }
+    bool is_wet(double x, double y, double height) const {
+        return height <= flood_ || water_depth(terrain_, nearest(x, y)) > 0.0f;
+    }
+
+    const Terrain& terrain_;
+    const ThingOptions& options_;
+    const std::array<double, 2> slope_;
+    const double group_;
+    const std::uint64_t seed_;
+    double flood_ = -HUGE_VAL, band_ = 1.0;
+    std::optional<double> from_, to_;
+    const Field<float>* mask_ = nullptr;
+    Field<float> map_;
+};
+
+// Whether a place is in a camera's frame.
+class View {
+  public:
+    explicit View(const Camera& camera)
+        : camera_(camera), ahead_(normalized(camera.target - camera.eye)) {
+        right_ = normalized(cross(ahead_, camera.up));
+        up_ = cross(right_, ahead_);
+        perspective_ = camera.projection == Camera::Projection::kPerspective;
+        half_ = perspective_ ? std::tan(0.5 * camera.field_of_view)
+                             : 0.5 * camera.frame_width;
+        pixel_ = 2.0 * half_ / camera.width;
+    }
+    // Beyond this a thing of `height` is lower than a pixel.
+    double reach(double height) const {
+        if (perspective_) return height / (kLeastPixels * pixel_);
+        const double diagonal =
+            std::hypot(1.0, double(camera_.height) / camera_.width) * half_;
+        return height >= kLeastPixels * pixel_ ? 1.05 * diagonal : 0.0;
+    }
+    bool sees(const Vec3& at, double height) const {
+        const Vec3 d = at - camera_.eye;
+        const double z = dot(d, ahead_), margin = kBehind * height;
+        if (perspective_ && z < -margin) return false;
+        const double half = perspective_ ? half_ * std::max(z, 0.0) : half_;
+        const double high = half * camera_.height / camera_.width;
+        return std::abs(dot(d, right_)) <= half + margin &&
+               dot(d, up_) <= high + margin && dot(d, up_) >= -high - margin;
+    }
+    double distance(const Vec3& at) const {
+        return perspective_ ? length(at - camera_.eye) : 1.0;
+    }
+    const Vec3& eye() const { return camera_.eye; }
+    bool perspective() const { return perspective_; }
+
+  private:
+    const Camera& camera_;
+    Vec3 ahead_, right_, up_;
+    double half_, pixel_;
+    bool perspective_;
+};
+
+struct Candidate {
+    Thing thing;
+    double rank;  // the lowest stay
+};
+
+void keep_first(std::vector<Candidate>& all, std::size_t most) {
+    if (all.size() <= most) return;
+    const auto by_rank = [](const Candidate& a, const Candidate& b) {
+        return std::tuple(a.rank, a.thing.foot.x, a.thing.foot.y) <
+               std::tuple(b.rank, b.thing.foot.x, b.thing.foot.y);
+    };
+    std::ranges::nth_element(all, all.begin() + std::ptrdiff_t(most), by_rank);
+    all.resize(most);
+}
+
+// Behind a crest from everywhere near the eye's line; things near the eye never are.
+bool is_hidden(const Terrain& terrain, const Vec3& eye, const Vec3& top) {
+    constexpr int kSteps = 96;
+    const double s = terrain.spacing, depth = terrain.depth();
+    for (int i = 1; i < kSteps; ++i) {
+        const double t = double(i) / kSteps;
+        const Vec3 p = eye + t * (top - eye);
+        if (bilinear(terrain.heights, p.x / s - 0.5, (depth - p.y) / s - 0.5) > p.z + s)
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& options,
+                                  int number, const Camera& camera, std::size_t most,
+                                  const std::optional<WaterOptions>& flood) {
+    const Habit& habit = habit_of(options.kind);
+    const double density = options.density.value_or(habit.density) / 1e4;
+    if (density <= 0.0) return {};
+    const auto size = options.size.value_or(habit.size);
+    const double apart = 1.0 / std::sqrt(density);
+    const View view(camera);
+    const double reach =
+        std::min(view.reach(size[1]), 0.5 * std::sqrt(kMostPlaces) * apart);
+    const Vec3 eye = view.eye();
+    const auto first = [&](double v) { return std::int64_t(std::floor(v / apart)); };
+    const std::int64_t x0 = first(std::max(0.0, eye.x - reach)),
+                       x1 = first(std::min(terrain.width(), eye.x + reach)),
+                       y0 = first(std::max(0.0, eye.y - reach)),
+                       y1 = first(std::min(terrain.depth(), eye.y + reach));
+    if (x1 < x0 || y1 < y0) return {};
+
+    // One place a square of the plane, taken or not.
+    const Suitability suitability(terrain, options, apart, number, flood);
+    const auto candidate_at = [&](std::int64_t i, std::int64_t j, Candidate& found) {
+        std::uint64_t h = hash_of(
+            {key("things"), std::uint64_t(number), std::uint64_t(i), std::uint64_t(j)});
+        const auto draw = [&] { return unit(h = mix(h)); };
+        const double east = (double(i) + draw()) * apart,
+                     north = (double(j) + draw()) * apart;
+        if (east >= terrain.width() || north >= terrain.depth()) return false;
+        const double x = east / terrain.spacing - 0.5;
+        const double y = (terrain.depth() - north) / terrain.spacing - 0.5;
+        const double ground = bilinear(terrain.heights, x, y);
+        const Vec3 at{east, north, ground};
+        if (!view.sees(at, size[1])) return false;
+        if (draw() >= suitability.at(x, y, ground)) return false;
+        // More low ones than tall ones, as things grow and break.
+        const double grown = std::pow(draw(), 1.4);
+        const double height =
+            (size[0] + grown * (size[1] - size[0])) * suitability.growth(ground);
+        found.thing = {{east, north, ground - habit.sunk * height},
+                       float(height),
+                       float(2.0 * std::numbers::pi * draw()),
+                       std::uint8_t(h >> 60 & (kOriginals - 1))};
+        const double distance = view.distance(at);
+        if (view.perspective() && distance > view.reach(height)) return false;
+        // All there are nearby; then as many fewer as they are more in the same angle.
+        found.rank = distance * std::sqrt(draw()) / height;
+        return true;
+    };
+    std::vector<std::vector<Candidate>> rows(std::size_t(y1 - y0 + 1));
+    parallel_for(int(rows.size()), 16, [&](int row) {
+        Candidate found;
+        for (std::int64_t i = x0; i <= x1; ++i)
+            if (candidate_at(i, y0 + row, found)) rows[std::size_t(row)].push_back(found);
+    });
+    std::vector<Candidate> all;
+    for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+
+    if (view.perspective()) {
+        keep_first(all, 8 * most);
+        std::vector<char> hidden(all.size());
+        parallel_for(int(all.size()), 256, [&](int i) {
+            const Thing& thing = all[std::size_t(i)].thing;
+            const Vec3 top{thing.foot.x, thing.foot.y, thing.foot.z + thing.height};
+            hidden[std::size_t(i)] = is_hidden(terrain, eye, top);
+        });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!hidden[i]) all[kept++] = all[i];
+        all.resize(kept);
+    }
+    keep_first(all, most);
+    std::ranges::sort(all, {}, [](const Candidate& c) {
+        return std::pair(c.thing.foot.y, c.thing.foot.x);
+    });
+    std::vector<Thing> things;
+    for (const Candidate& c : all) things.push_back(c.thing);
+    return things;
+}
+
+}  // namespace cydonia::render

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "field/camera.h"
+#include "field/terrain.h"
+#include "render/ground/options.h"
+#include "render/things/options.h"
+
+namespace cydonia::render {
+
+// A copy of an original on the land.
+struct Thing {
+    Vec3 foot;            // world metres; the original's origin
+    float height = 1.0f;  // metres
+    float turn = 0.0f;    // about the vertical, radians
+    std::uint8_t original = 0;
+};
+
+// Things of one kind that a camera sees, or that may cast their shadows into its frame:
+// at most `most`, nearest and largest first to stay. Where each stands is a hash of its
+// place and of `number`, the kind's place in the scene, so that a moving camera finds the
+// same ones. None under water, nor below `flood`.
+std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& options,
+                                  int number, const Camera& camera, std::size_t most,
+                                  const std::optional<WaterOptions>& flood = {});
+
+}  // namespace cydonia::render
