@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "config/reader/looks.h"
 #include "config/reader/readers.h"
@@ -9,6 +10,8 @@ namespace cydonia::config {
 using render::ColourOptions;
 using render::GroundOptions;
 using render::HazeOptions;
+using render::Pass;
+using render::PassOptions;
 using render::SkyOptions;
 using render::WaterOptions;
 
@@ -85,6 +88,19 @@ void read(Table& t, ColourOptions& colour) {
     t.field("exposure", colour.exposure, Number{from(-20.0, 20.0)});
 }
 
+void read(Table& t, PassOptions& passes) {
+    constexpr Name<Pass> kNames[] = {
+        {"depth", Pass::kDepth},   {"position", Pass::kPosition},
+        {"normal", Pass::kNormal}, {"height", Pass::kHeight},
+        {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
+        {"shadow", Pass::kShadow}, {"sky", Pass::kSky}};
+    t.field("which", passes.which, one_of(kNames));
+    const std::set<Pass> different(passes.which.begin(), passes.which.end());
+    t.check(!different.empty() && different.size() == passes.which.size(), {"which"},
+            "name at least one pass, and none twice");
+    t.field("separate", passes.separate, Flag{});
+}
+
 void read(Table& t, RenderTable& out) {
     auto& o = out.options;
     choose_look(t, o);
@@ -102,6 +118,7 @@ void read(Table& t, RenderTable& out) {
         "the look '" + o.ground.look.name + "' has no snow that a snow_line could move");
     if (o.sky.moon > 0.0) o.colour.exposure += kNightExposure;
     t.table("colour", o.colour);
+    t.table("passes", o.passes);
     out.text = t.record().text();
 }
 

@@ -2,31 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
 
-#include "field/noise.h"
 #include "field/parallel.h"
+#include "field/random.h"
 #include "field/sample.h"
+#include "render/ground/relief.h"
+#include "render/ground/texture_noise.h"
 
 namespace cydonia::render {
 namespace {
 
-// Linear Rec.709 albedos, from light to dark of one material.
-struct Material {
-    Rgb light, dark;
-};
-constexpr Material kMeadow{{0.130f, 0.118f, 0.056f}, {0.078f, 0.088f, 0.036f}};
-constexpr Material kEarth{{0.210f, 0.165f, 0.110f}, {0.150f, 0.115f, 0.074f}};
-constexpr Material kScree{{0.230f, 0.200f, 0.165f}, {0.160f, 0.138f, 0.112f}};
-constexpr Material kRock{{0.215f, 0.190f, 0.165f}, {0.105f, 0.092f, 0.080f}};
-constexpr Material kRust{{0.200f, 0.145f, 0.105f}, {0.150f, 0.100f, 0.070f}};
-constexpr Material kSand{{0.330f, 0.275f, 0.190f}, {0.255f, 0.210f, 0.145f}};
-constexpr Material kSilt{{0.115f, 0.105f, 0.075f}, {0.080f, 0.075f, 0.055f}};
-constexpr Material kSnow{{0.820f, 0.840f, 0.870f}, {0.740f, 0.770f, 0.820f}};
-
-constexpr double kStrata = 45.0;  // metres of height that a pair of thick rock beds takes
-constexpr double kWide = 200.0;   // wavelengths of the noise on every border, metres
-constexpr double kNarrow = 20.0;
 constexpr std::uint64_t kSeed = 0x6c616e64;
 
 double smoothstep(double low, double high, double x) {
@@ -34,12 +22,9 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-Rgb mix(const Rgb& a, const Rgb& b, double t) {
+Rgb mixed(const Rgb& a, const Rgb& b, double t) {
     const auto f = static_cast<float>(t);
     return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
-}
-Rgb shade(const Material& m, double t) {
-    return mix(m.dark, m.light, std::clamp(t, 0.0, 1.0));
 }
 
 // What water above the ground leaves of its colour (Beer-Lambert), straight down and up.
@@ -50,218 +35,256 @@ Rgb seen_through(double depth, Rgb ground) {
     return ground;
 }
 
-// Box means of (2 * radius + 1)^2 samples, clamped at the edges.
-Field<float> blurred(const Field<float>& field, int radius) {
-    const auto pass = [radius](const Field<float>& in, int dx, int dy) {
-        Field<float> out(in.width(), in.height());
-        parallel_for(in.height(), 16, [&](int y) {
-            for (int x = 0; x < in.width(); ++x) {
-                double sum = 0.0;
-                for (int i = -radius; i <= radius; ++i)
-                    sum += in(std::clamp(x + i * dx, 0, in.width() - 1),
-                              std::clamp(y + i * dy, 0, in.height() - 1));
-                out(x, y) = static_cast<float>(sum / (2 * radius + 1));
-            }
-        });
-        return out;
-    };
-    return pass(pass(field, 1, 0), 0, 1);
+Form between(const Form& a, const Form& b, double t) {
+    const auto f = static_cast<float>(t);
+    return {a.height + f * (b.height - a.height), a.slope + f * (b.slope - a.slope),
+            a.north + f * (b.north - a.north),    a.hollow + f * (b.hollow - a.hollow),
+            a.wet + f * (b.wet - a.wet),          a.shore + f * (b.shore - a.shore),
+            a.level + f * (b.level - a.level)};
 }
 
-// tan of the slope, and how far it faces north (-1 to 1).
-struct Facing {
-    Field<float> slope, north;
-};
+Form bilinear(const Field<Form>& forms, double x, double y) {
+    x = std::clamp(x, 0.0, forms.width() - 1.0);
+    y = std::clamp(y, 0.0, forms.height() - 1.0);
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    const int i1 = std::min(i + 1, forms.width() - 1);
+    const int j1 = std::min(j + 1, forms.height() - 1);
+    return between(between(forms(i, j), forms(i1, j), x - i),
+                   between(forms(i, j1), forms(i1, j1), x - i), y - j);
+}
 
-Facing facing_of(const Field<float>& h, double spacing) {
-    Facing f{Field<float>(h.width(), h.height()), Field<float>(h.width(), h.height())};
-    parallel_for(h.height(), 16, [&](int y) {
-        for (int x = 0; x < h.width(); ++x) {
-            const int w = std::max(x - 1, 0), e = std::min(x + 1, h.width() - 1);
-            const int n = std::max(y - 1, 0), s = std::min(y + 1, h.height() - 1);
-            const double gx = (h(e, y) - h(w, y)) / (spacing * (e - w));
-            const double gy = (h(x, n) - h(x, s)) / (spacing * (s - n));
-            const double slope = std::hypot(gx, gy);
-            f.slope(x, y) = static_cast<float>(slope);
-            f.north(x, y) = static_cast<float>(-gy / std::max(slope, 1e-6));
+// A scene's snow line and rock slope go before the look's.
+Look with_overrides(const GroundOptions& options, double width) {
+    Look look = options.look;
+    for (Layer& layer : look.layers) {
+        if (options.snow_line && layer.role == Layer::Role::kSnow) {
+            const double line = options.snow_line->in(width);
+            layer.above = {{{line - 135.0, false}, {line + 135.0, false}}};
         }
-    });
-    return f;
+        if (!options.rock_slope) continue;
+        const auto [some, all] = *options.rock_slope;
+        if (layer.role == Layer::Role::kRock)
+            layer.slope = Ramp{some, std::max(all, some + 1e-6)};
+        if (layer.role == Layer::Role::kScree)
+            layer.slope = Ramp{0.67 * some, std::max(0.96 * some, 0.67 * some + 1e-6)};
+    }
+    return look;
 }
 
-double noise(double x, double y, double wavelength, std::uint64_t purpose) {
-    return gradient_noise(x / wavelength, y / wavelength, kSeed + purpose) +
-           0.5 * gradient_noise(2.03 * x / wavelength, 2.03 * y / wavelength,
-                                kSeed + purpose + 1);
-}
-
-Field<float> noise_over(const Terrain& terrain, double wavelength,
-                        std::uint64_t purpose) {
-    Field<float> field(terrain.heights.width(), terrain.heights.height());
-    parallel_for(field.height(), 16, [&](int y) {
-        for (int x = 0; x < field.width(); ++x)
-            field(x, y) = static_cast<float>(
-                noise(x * terrain.spacing, y * terrain.spacing, wavelength, purpose));
-    });
-    return field;
-}
-
-// What decides a cell's ground but for the finest noise.
-struct Relief {
-    Field<float> height;
-    Facing near;               // at a cell
-    Field<float> far;          // slope at about 45 m
-    Field<float> hollow;       // metres below the land around, at about 120 m
-    Field<float> wide, wider;  // noise of kWide and three times it
-    // The level of the water there or near, and how near: 1 in it, 0 from kBeach metres
-    // on. Empty without water.
-    Field<float> level, shore;
+// The noise that every border and every material shares at a point.
+struct Point {
+    double east, south;  // metres
+    Form form;
+    double wide, fine;  // noise
 };
 
-constexpr double kBeach = 50.0;
-
-void set_shore(Relief& r, const Terrain& terrain, int radius) {
-    const Field<float> depths = water_depths(terrain);
-    if (std::ranges::max(depths) <= 0.0f) return;
-    Field<float> wet(depths.width(), depths.height()), level = wet;
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        wet[i] = depths[i] > 0.0f ? 1.0f : 0.0f;
-        level[i] = depths[i] > 0.0f ? terrain.water[i] : 0.0f;
-    }
-    r.shore = blurred(wet, radius);
-    r.level = blurred(level, radius);
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        if (r.shore[i] > 0.0f) r.level[i] /= r.shore[i];
-        if (depths[i] > 0.0f) r.level[i] = terrain.water[i];
-        r.shore[i] = depths[i] > 0.0f ? 1.0f : std::min(1.0f, 4.0f * r.shore[i]);
-    }
-}
-
-Relief relief_of(const Terrain& terrain) {
-    const auto cells = [&](double metres) {
-        return std::max(1, static_cast<int>(std::lround(metres / terrain.spacing / 2.0)));
-    };
-    Relief r;
-    r.height = terrain.heights;
-    r.near = facing_of(terrain.heights, terrain.spacing);
-    r.far = facing_of(blurred(terrain.heights, cells(45.0)), terrain.spacing).slope;
-    r.hollow = blurred(terrain.heights, cells(120.0));
-    for (std::size_t i = 0; i < r.hollow.size(); ++i) r.hollow[i] -= terrain.heights[i];
-    r.wide = noise_over(terrain, kWide, 1);
-    r.wider = noise_over(terrain, 3.0 * kWide, 5);
-    set_shore(r, terrain, cells(2.0 * kBeach));
-    return r;
-}
-
-class Ground {
+class Painter {
   public:
-    Ground(const Terrain& terrain, const GroundOptions& options)
-        : relief_(relief_of(terrain)),
-          spacing_(terrain.spacing),
-          rock_(std::tan(options.rock_slope[0])),
-          all_rock_(std::tan(options.rock_slope[1])),
-          snow_line_(options.snow_line.in(terrain.width())) {}
+    Painter(const Terrain& terrain, const GroundOptions& options, int detail)
+        : terrain_(terrain),
+          look_(with_overrides(options, terrain.width())),
+          relief_(relief_of(terrain, uses_wetness(look_))),
+          // Of metres where land is of kilometres; on wider land wider.
+          wide_(std::min(std::max(200.0, terrain.width() / 75.0), terrain.width() / 4.0)),
+          // Finer than two pixels noise would be another one for every number of them.
+          fine_(std::clamp(0.1 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)) {
+        for (const Layer& layer : look_.layers) masks_.push_back(mask_of(layer));
+    }
 
-    // Albedo at a point of the grid, in cells.
-    Rgb at(double x, double y) const {
-        const double e = x * spacing_, s = y * spacing_;
-        const double wide = bilinear(relief_.wide, x, y),
-                     narrow = noise(e, s, kNarrow, 3);
-        const double height = bilinear(relief_.height, x, y);
-        const double hollow = bilinear(relief_.hollow, x, y);
-        const double slope = 0.35 * bilinear(relief_.near.slope, x, y) +
-                             0.65 * bilinear(relief_.far, x, y) + 0.07 * wide +
-                             0.07 * narrow;
+    // At a point of the grid, in cells: the colour, and which material is most of it.
+    std::pair<Rgb, std::uint8_t> at(double x, double y) const {
+        Point p{(x + 0.5) * terrain_.spacing, (y + 0.5) * terrain_.spacing,
+                bilinear(relief_.forms, x, y), 0.0, 0.0};
+        p.wide = texture_noise(p.east, p.south, wide_, kSeed);
+        if (fine_ > 0.0)
+            p.fine = fine_ * texture_noise(p.east, p.south, 0.1 * wide_, kSeed + 1);
 
-        const double patch = 0.5 + 0.5 * wide + 0.25 * narrow;
-        const double moist = smoothstep(-0.3, 0.9,
-                                        0.5 * bilinear(relief_.wider, x, y) +
-                                            0.06 * hollow - 0.9 * slope + 0.25 * narrow);
-        Rgb ground = mix(shade(kEarth, patch), shade(kMeadow, patch), moist);
-        ground = mix(ground, shade(kScree, patch),
-                     smoothstep(0.6 * rock_, 0.95 * rock_, slope));
-        if (slope > rock_)
-            ground = mix(ground, rock(height, wide, narrow),
-                         smoothstep(rock_, all_rock_, slope));
-        const double snowy = snow(x, y, height, hollow, slope, wide);
-        if (relief_.shore.empty()) return mix(ground, shade(kSnow, patch), snowy);
-        const double depth = bilinear(relief_.level, x, y) - height;
-        const double washed = bilinear(relief_.shore, x, y) *
-                              smoothstep(-4.0 - 2.0 * wide - narrow, 0.0, depth);
-        ground = mix(ground, shade(kSnow, patch), snowy * (1.0 - washed));
-        const Rgb sand =
-            mix(shade(kSand, patch), shade(kSilt, patch), smoothstep(2.0, 25.0, depth));
-        ground = mix(ground, sand, washed * (1.0 - smoothstep(rock_, all_rock_, slope)));
-        return seen_through(std::max(0.0, depth), ground);
+        Rgb colour{};
+        std::size_t top = 0;
+        double of_top = 0.0;
+        const double washed = relief_.water && look_.shore ? washed_at(p) : 0.0;
+        for (std::size_t i = 0; i < look_.layers.size(); ++i) {
+            const Layer& layer = look_.layers[i];
+            double share = cover(i, p, x, y);
+            if (layer.role == Layer::Role::kSnow) share *= 1.0 - washed;
+            lay(layer.material, share, p, colour, top, of_top);
+        }
+        if (washed > 0.0) {
+            const double rocky = smoothstep(radians(32.0), radians(42.0), p.form.slope);
+            const double depth = p.form.level - p.form.height;
+            lay(*look_.shore, washed * (1.0 - rocky), p, colour, top, of_top);
+            if (look_.bed)
+                lay(*look_.bed, washed * (1.0 - rocky) * smoothstep(2.0, 25.0, depth), p,
+                    colour, top, of_top);
+        }
+        if (relief_.water && p.form.shore > 0.0f)
+            colour = seen_through(std::max(0.0f, p.form.level - p.form.height), colour);
+        return {colour, static_cast<std::uint8_t>(top)};
     }
 
   private:
-    // Beds of rock by height, thick and thin, bent a little; here and there they do not
-    // show.
-    Rgb rock(double height, double wide, double narrow) const {
-        const double bed = (height + 20.0 * wide + 4.0 * narrow) / kStrata;
-        const double beds = gradient_noise(bed, 0.37, kSeed + 7) +
-                            0.5 * gradient_noise(2.9 * bed, 0.37, kSeed + 8);
-        const double shown = 0.35 + 0.65 * smoothstep(-0.4, 0.5, wide);
-        const double rust =
-            smoothstep(0.1, 0.6, gradient_noise(0.6 * bed, 2.5, kSeed + 9));
-        const double band = 0.5 + 0.7 * shown * beds + 0.3 * narrow;
-        return mix(shade(kRock, band), shade(kRust, band), 0.6 * rust);
+    static bool uses_wetness(const Look& look) {
+        return std::ranges::any_of(look.layers,
+                                   [](const Layer& l) { return l.wet.has_value(); });
     }
 
-    double snow(double x, double y, double height, double hollow, double slope,
-                double wide) const {
-        const double north = bilinear(relief_.near.north, x, y);
-        const double above = height - snow_line_ + 170.0 * north * std::min(slope, 1.0) +
-                             5.0 * hollow + 60.0 * wide;
-        const double holds = 1.0 - smoothstep(0.9, 1.19, slope);  // 42 to 50 degrees
-        // Hardened: snow has an edge.
-        return smoothstep(0.44, 0.60, smoothstep(-135.0, 135.0, above) * holds);
+    const Field<float>* mask_of(const Layer& layer) const {
+        const auto found = terrain_.masks.find(layer.mask);
+        return found == terrain_.masks.end() ? nullptr : &found->second;
     }
 
+    void lay(std::size_t material, double share, const Point& p, Rgb& colour,
+             std::size_t& top, double& of_top) const {
+        if (share <= 0.0) return;
+        colour = mixed(colour, colour_of(material, p), share);
+        of_top *= 1.0 - share;
+        if (share > of_top) top = material, of_top = share;
+    }
+
+    // How much of what lies below it a layer covers. The least of its conditions decides;
+    // noise moves where that is enough.
+    double cover(std::size_t i, const Point& p, double x, double y) const {
+        const Layer& layer = look_.layers[i];
+        if (!layer.limited()) return layer.amount;
+        const Form& f = p.form;
+        double t = 1.5;
+        const auto hold = [&t](double value) { t = std::min(t, value); };
+        const auto along = [&](const std::optional<Ramp>& ramp, double value) {
+            if (ramp) hold(ramp->at(value));
+        };
+        const auto beyond = [&](const std::array<Elevation, 2>& limits, double height) {
+            hold(Ramp{limits[0].in(relief_.lowest, relief_.range),
+                      limits[1].in(relief_.lowest, relief_.range)}
+                     .at(height));
+        };
+        if (layer.above)
+            beyond(*layer.above, f.height + layer.north_lowers * f.north +
+                                     layer.hollow_lowers * f.hollow);
+        if (layer.below) beyond(*layer.below, f.height);
+        along(layer.slope, f.slope);
+        along(layer.gentle, f.slope);
+        along(layer.hollow, f.hollow);
+        along(layer.wet, f.wet);
+        along(layer.north, f.north);
+        if (!layer.mask.empty()) hold(masks_[i] ? bilinear_mask(i, x, y) : -9.0);
+        if (t < -0.8) return 0.0;
+        if (layer.patches < 1.0) hold(patch(i, p));
+        if (t < -0.8) return 0.0;
+        t += 0.45 * texture_noise(p.east, p.south, wide_, kSeed + 100 + i) + 0.3 * p.fine;
+        const double edge = std::max(0.5 * layer.soft, 0.01);
+        return layer.amount * smoothstep(0.5 - edge, 0.5 + edge, t);
+    }
+
+    double bilinear_mask(std::size_t i, double x, double y) const {
+        return cydonia::bilinear(*masks_[i], x, y);
+    }
+
+    // Above one half in `patches` of the places: the noise's distribution is about
+    // logistic.
+    double patch(std::size_t i, const Point& p) const {
+        const Layer& layer = look_.layers[i];
+        const double share = std::clamp(layer.patches, 0.001, 0.999);
+        const double noise =
+            texture_noise(p.east, p.south, layer.patch_size, kSeed + 200 + i);
+        return 0.5 + 2.5 * (noise + 0.2 * std::log(share / (1.0 - share)));
+    }
+
+    // 1 where waves reach, 0 above.
+    double washed_at(const Point& p) const {
+        if (p.form.shore <= 0.0f) return 0.0;
+        const double depth = p.form.level - p.form.height;
+        return p.form.shore * smoothstep(-4.0 - 2.0 * p.wide - p.fine, 0.0, depth);
+    }
+
+    Rgb colour_of(std::size_t index, const Point& p) const {
+        const Material& m = look_.materials[index];
+        const double patches =
+            texture_noise(p.east, p.south, m.variation, kSeed + 300 + 2 * index);
+        double shade = 0.5 + 0.45 * patches + m.grain * p.fine;
+        Rgb light = m.light, dark = m.dark;
+        double bedded = 0.0;
+        Rgb bed{};
+        if (m.strata) {
+            const Strata& s = *m.strata;
+            bedded = s.strength * smoothstep(s.slope[0], s.slope[1], p.form.slope);
+            if (bedded > 0.0) bedded *= beds(s, p, shade, bed);
+        }
+        Rgb colour = mixed(dark, light, std::clamp(shade, 0.0, 1.0));
+        if (bedded > 0.0 && !m.strata->colours.empty())
+            colour = mixed(colour, scaled(bed, 0.8 + 0.4 * std::clamp(shade, 0.0, 1.0)),
+                           bedded);
+        if (m.tint) {
+            const double share = std::clamp(m.tinted, 0.001, 0.999);
+            const double n = texture_noise(p.east, p.south, 1.7 * m.variation,
+                                           kSeed + 301 + 2 * index) +
+                             0.2 * std::log(share / (1.0 - share)) + 0.2 * p.fine;
+            colour = mixed(colour, *m.tint, smoothstep(-0.15, 0.35, n));
+        }
+        return colour;
+    }
+
+    static Rgb scaled(const Rgb& c, double f) {
+        const auto k = static_cast<float>(f);
+        return {k * c[0], k * c[1], k * c[2]};
+    }
+
+    // Beds of rock by height, thick and thin, bent a little: how much they show here, the
+    // shade they add, and the colour of this one.
+    double beds(const Strata& s, const Point& p, double& shade, Rgb& colour) const {
+        const double bend = 0.4 * texture_noise(p.east, p.south, 8.0 * wide_, kSeed + 2);
+        const double at =
+            p.form.height / s.thickness + bend + 0.12 * p.wide + 0.06 * p.fine;
+        const double thin = unevenness(2.9 * at);
+        shade += s.strength * (0.45 * unevenness(at) + 0.25 * thin);
+        if (!s.colours.empty()) {
+            const double floor = std::floor(at);
+            const auto colour_at = [&](double bed) -> const Rgb& {
+                return s.colours[mix(kSeed ^ static_cast<std::uint64_t>(
+                                                 static_cast<std::int64_t>(bed))) %
+                                 s.colours.size()];
+            };
+            colour = mixed(colour_at(floor), colour_at(floor + 1.0),
+                           smoothstep(0.8, 1.0, at - floor));
+        }
+        return 0.45 + 0.55 * smoothstep(-0.5, 0.3, p.wide);
+    }
+
+    // Value noise along one line, -1 to 1.
+    static double unevenness(double at) {
+        const double floor = std::floor(at);
+        const auto value = [](double i) {
+            return signed_unit(
+                mix(~kSeed ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(i))));
+        };
+        return std::lerp(value(floor), value(floor + 1.0),
+                         smoothstep(0.2, 0.8, at - floor));
+    }
+
+    const Terrain& terrain_;
+    Look look_;
     Relief relief_;
-    double spacing_, rock_, all_rock_, snow_line_;
+    double wide_, fine_;
+    std::vector<const Field<float>*> masks_;
 };
 
 }  // namespace
 
-Field<Rgb> ground_albedo(const Terrain& terrain, const GroundOptions& options,
-                         int detail) {
-    const Ground ground(terrain, options);
-    Field<Rgb> albedo(terrain.heights.width() * detail,
-                      terrain.heights.height() * detail);
-    parallel_for(albedo.height(), 8, [&](int y) {
-        for (int x = 0; x < albedo.width(); ++x)
-            albedo(x, y) = ground.at((x + 0.5) / detail - 0.5, (y + 0.5) / detail - 0.5);
+GroundMap ground_map(const Terrain& terrain, const GroundOptions& options, int detail) {
+    const Painter painter(terrain, options, detail);
+    const int width = terrain.heights.width() * detail;
+    const int height = terrain.heights.height() * detail;
+    GroundMap map{Field<Rgb>(width, height), Field<std::uint8_t>(width, height)};
+    parallel_for(height, 8, [&](int y) {
+        for (int x = 0; x < width; ++x)
+            std::tie(map.albedo(x, y), map.materials(x, y)) =
+                painter.at((x + 0.5) / detail - 0.5, (y + 0.5) / detail - 0.5);
     });
-    return albedo;
+    return map;
 }
 
-Field<float> sky_visibility(const Field<float>& heights, double spacing) {
-    constexpr int kAzimuths = 16;
-    constexpr double kFarthest = 160.0;  // cells; beyond, hills are low
-    Field<float> visible(heights.width(), heights.height());
-    parallel_for(heights.height(), 4, [&](int y) {
-        for (int x = 0; x < heights.width(); ++x) {
-            double sum = 0.0;
-            for (int k = 0; k < kAzimuths; ++k) {
-                const double a = 2.0 * std::numbers::pi * (k + 0.5) / kAzimuths;
-                const double dx = std::cos(a), dy = std::sin(a);
-                double steepest = 0.0;
-                for (double t = 1.0; t < kFarthest; t = 1.25 * t + 0.5) {
-                    const int i = static_cast<int>(std::floor(x + t * dx + 0.5));
-                    const int j = static_cast<int>(std::floor(y + t * dy + 0.5));
-                    if (!heights.contains(i, j)) break;
-                    const double rise = heights(i, j) - heights(x, y);
-                    steepest = std::max(steepest, rise / (t * spacing));
-                }
-                sum +=
-                    1.0 / (1.0 + steepest * steepest);  // cosine squared of the horizon
-            }
-            visible(x, y) = static_cast<float>(sum / kAzimuths);
-        }
-    });
-    return visible;
+Field<Rgb> ground_albedo(const Terrain& terrain, const GroundOptions& options,
+                         int detail) {
+    return ground_map(terrain, options, detail).albedo;
 }
 
 }  // namespace cydonia::render

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <cstdint>
+
 #include "field/image.h"
 #include "field/terrain.h"
 #include "render/options.h"
 
 namespace cydonia::render {
 
-// The ground's linear Rec.709 albedo, draped over the land: `detail` pixels a cell, so
-// (detail * width) x (detail * height), pixel centres at sub-cell centres. By slope at
-// two scales, height, hollows, and noise on every border; the same look for any number of
-// samples.
+// The ground as a look paints it, draped over the land: `detail` pixels a cell, so
+// (detail * width) x (detail * height), pixel centres at sub-cell centres.
+struct GroundMap {
+    Field<Rgb> albedo;              // linear Rec.709
+    Field<std::uint8_t> materials;  // what lies on top there: index into the look's
+};
+
+// By the options' look; the same look for any number of samples.
+GroundMap ground_map(const Terrain& terrain, const GroundOptions& options, int detail);
+// Its albedo alone.
 Field<Rgb> ground_albedo(const Terrain& terrain, const GroundOptions& options,
                          int detail);
 

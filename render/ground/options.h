@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "field/length.h"
+#include "render/ground/look.h"
 
 namespace cydonia::render {
 
@@ -11,8 +13,9 @@ struct WaterOptions {
 };
 
 struct GroundOptions {
-    Length snow_line = metres(1e9);                                  // none by default
-    std::array<double, 2> rock_slope{radians(30.0), radians(40.0)};  // radians
+    Look look = {};  // one earth everywhere; a scene's is read from config/looks
+    std::optional<Length> snow_line;                  // default: the look's
+    std::optional<std::array<double, 2>> rock_slope;  // radians; default: the look's
 };
 
 }  // namespace cydonia::render

@@ -9,6 +9,7 @@
 #include "field/parallel.h"
 #include "render/ground/ground.h"
 #include "render/pov/scene.h"
+#include "render/pov/things.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
@@ -83,12 +84,14 @@ Pause_When_Done=Off
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
                                           const Options& options, Quality quality) {
     write_png(folder / "heights.png", quantised(terrain.heights).levels);
-    write_png(folder / "ground.png",
-              srgb(ground_albedo(terrain, options.ground,
-                                 ground_detail(terrain.heights, quality))));
+    const GroundMap ground =
+        ground_map(terrain, options.ground, ground_detail(terrain.heights, quality));
+    write_png(folder / "ground.png", srgb(ground.albedo));
+    write_png(folder / "materials.png", ground.materials);
     write_png(folder / "sky_visibility.png",
               levels_of(sky_visibility(terrain.heights, terrain.spacing)));
-    std::vector<std::string> names{"heights.png", "ground.png", "sky_visibility.png"};
+    std::vector<std::string> names{"heights.png", "ground.png", "materials.png",
+                                   "sky_visibility.png"};
     if (const auto water = water_surface(terrain)) {
         write_png(folder / "water.png", water->heights.levels);
         names.push_back("water.png");
@@ -102,9 +105,19 @@ std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& sho
                                         water_surface(terrain));
     write_exr(folder / ("sky_" + shot.name + ".exr"),
               sky_dome(shot.sun, shot.options.sky, kDomeHeight));
-    write_text(folder / (shot.name + ".pov"), scene);
+    const std::string things = pov::things(shot, terrain);
+    write_text(folder / (shot.name + ".pov"),
+               things.empty()
+                   ? scene
+                   : scene + fmt::format("#include \"things_{}.inc\"\n", shot.name));
     write_text(folder / (shot.name + ".ini"), ini(shot));
-    return {"sky_" + shot.name + ".exr", shot.name + ".pov", shot.name + ".ini"};
+    std::vector<std::string> names{"sky_" + shot.name + ".exr", shot.name + ".pov",
+                                   shot.name + ".ini"};
+    if (!things.empty()) {
+        names.push_back("things_" + shot.name + ".inc");
+        write_text(folder / names.back(), things);
+    }
+    return names;
 }
 
 }  // namespace cydonia::render

@@ -56,21 +56,44 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-// Close up, bumps finer than the heights catch the light; farther away they would only
-// flicker.
-bool shows_bumps(const Camera& camera, double spacing) {
-    return camera.projection == Camera::Projection::kPerspective &&
-           pixel_size(camera) < 0.25 * spacing;
+// Close up, bumps finer than the heights catch the light, the rock's more than the
+// grass's; those near a pixel's size would only flicker.
+double shown_bump(const Material& material, const Camera& camera) {
+    if (camera.projection != Camera::Projection::kPerspective) return 0.0;
+    const double pixels = material.bump_size / pixel_size(camera);
+    return material.bump * std::clamp((pixels - 1.5) / 3.0, 0.0, 1.0);
 }
 
-std::string ground_under_radiosity(const Camera& camera, double spacing) {
+std::string bumps(const Shot& shot) {
+    const std::vector<Material>& materials = shot.options.ground.look.materials;
+    std::string entries;
+    double most = 0.0;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const double bump = shown_bump(materials[i], shot.camera);
+        most = std::max(most, bump);
+        entries += fmt::format(
+            "            [{} / 255 granite {} scale {} / Unit transform {{ FromAbove "
+            "inverse "
+            "}} ]\n",
+            i, number(bump), number(materials[i].bump_size));
+    }
+    if (most <= 0.0) return "";
+    return fmt::format(R"(
+    normal {{ // bumps of what lies there: materials.png has its number in the look
+        image_pattern {{ png "materials.png" gamma 1.0 }}
+        normal_map {{
+{}        }}
+        transform {{ FromAbove }}
+    }})",
+                       entries);
+}
+
+std::string ground_under_radiosity(const Shot& shot) {
     return fmt::format(R"(#declare Ground = texture {{
     pigment {{ GroundColour transform {{ FromAbove }} }}{}
 }};
 )",
-                       shows_bumps(camera, spacing)
-                           ? "\n    normal { granite 0.12 scale 3 * Spacing / Unit }"
-                           : "");
+                       bumps(shot));
 }
 
 // Flat triangles are what the shadow check casts, so a map shows them. POV-Ray's smooth
@@ -110,7 +133,7 @@ std::string land_numbers(const Heights16& heights, double spacing) {
         number(heights.range), number(metres_a_unit(std::max(width, depth))));
 }
 
-std::string ground(const Shot& shot, double spacing) {
+std::string ground(const Shot& shot) {
     return fmt::format(
         R"(// The ground's colour covers the cells, draped from above.
 #declare FromAbove = transform {{ rotate 90 * x scale At(LandWidth, LandDepth, Unit) }}
@@ -127,7 +150,7 @@ std::string ground(const Shot& shot, double spacing) {
 object {{ Land texture {{ Ground }} }}
 
 )",
-        has_radiosity(shot.quality) ? ground_under_radiosity(shot.camera, spacing)
+        has_radiosity(shot.quality) ? ground_under_radiosity(shot)
                                     : kGroundUnderVisibility,
         smoothness(shot.camera));
 }

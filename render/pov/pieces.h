@@ -35,7 +35,7 @@ std::string camera(const Shot& shot);
 std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
 std::string haze();
-std::string ground(const Shot& shot, double spacing);
+std::string ground(const Shot& shot);
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
 std::string flood(const Shot& shot);  // all that lies below one level
 std::string water(const Shot& shot, const WaterSurface& surface);

@@ -109,7 +109,8 @@ TEST_F(Reader, FullSceneOfRender) {
     EXPECT_EQ(r.cameras[4].keys[1].eye[0], of_width(0.9));
     EXPECT_EQ(r.cameras[4].shutter_angle, radians(90.0));
     EXPECT_EQ(r.water->level, metres(12.0));
-    EXPECT_EQ(r.ground.rock_slope[1], radians(42.0));
+    EXPECT_EQ(r.ground.rock_slope->at(1), radians(42.0));
+    EXPECT_EQ(r.ground.look.name, "alpine");
     EXPECT_EQ(r.colour.view, "ACES");
 }
 
