@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "field/solid.h"
+#include "render/embree/style.h"
 #include "render/options.h"
 
 namespace cydonia {
@@ -28,6 +29,8 @@ struct Request {
     bool force = false;    // goes on after a check that fell short
     bool dry_run = false;  // prints the plan only
     bool first_camera_only = false;
+    // Frames by Embree, shown so, instead of by POV-Ray.
+    std::optional<render::Style> preview = {};
     bool explain = false;  // stages show how they came to their land
     std::optional<SolidRequest> solid = {};
     // Of a land in tiles only this one: column from the west, row from the north.
@@ -39,5 +42,6 @@ struct Request {
 enum class Goal { kTerrain, kCheck, kEmit, kFrames, kSweep };
 
 std::string_view name_of(render::Quality quality);
+std::string_view name_of(render::Style style);
 
 }  // namespace cydonia

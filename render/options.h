@@ -7,6 +7,7 @@
 #include "render/camera_options.h"
 #include "render/colour/options.h"
 #include "render/ground/options.h"
+#include "render/passes/options.h"
 #include "render/sky/options.h"
 
 namespace cydonia::render {
@@ -21,6 +22,7 @@ struct Options {
     std::optional<WaterOptions> water;
     GroundOptions ground;
     ColourOptions colour;
+    std::optional<PassOptions> passes;  // default: none
 };
 
 }  // namespace cydonia::render

@@ -23,17 +23,6 @@ Sun chosen_sun(const render::CameraOptions& camera, const render::Options& optio
     return {radians(315.0), radians(35.0)};
 }
 
-render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
-                     const Terrain& terrain) {
-    return {
-        job.spec.title,
-        camera.name,
-        render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water),
-        chosen_sun(camera, job.spec.render, terrain),
-        job.spec.render,
-        job.request.quality};
-}
-
 // Names in the pov folder as outputs.
 std::vector<std::string> in_pov(std::vector<std::string> names) {
     for (std::string& name : names) name.insert(0, "pov/");
@@ -61,6 +50,17 @@ std::uint64_t emit_key(const Job& job, const std::string& what) {
 }
 
 }  // namespace
+
+render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
+                     const Terrain& terrain) {
+    return {
+        job.spec.title,
+        camera.name,
+        render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water),
+        chosen_sun(camera, job.spec.render, terrain),
+        job.spec.render,
+        job.request.quality};
+}
 
 Step assets_step(Job& job) {
     return {kAssetsStep, Goal::kEmit, memory::of_emit(job.cells()),

@@ -43,6 +43,11 @@ Metadata Job::metadata() const {
 std::vector<Step> steps_of(Job& job) {
     if (job.spec.terrain.tiles > 0) return {tiles_step(job)};
     std::vector<Step> steps = stage_steps(job);
+    if (job.request.preview) {
+        for (const render::CameraOptions& camera : job.cameras())
+            steps.push_back(preview_step(job, camera));
+        return steps;
+    }
     steps.push_back(export_step(job));
     if (job.request.solid) steps.push_back(solid_step(job));
     steps.push_back(check_step(job));
@@ -52,6 +57,7 @@ std::vector<Step> steps_of(Job& job) {
     }
     for (const render::CameraOptions& camera : job.cameras()) {
         for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
+        if (job.spec.render.passes) steps.push_back(passes_step(job, camera));
     }
     for (Step& step : day_steps(job)) steps.push_back(std::move(step));
     return steps;

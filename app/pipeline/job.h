@@ -11,6 +11,7 @@
 #include "app/request.h"
 #include "config/reader/scene.h"
 #include "field/image.h"
+#include "render/pov/scene.h"
 
 namespace cydonia {
 
@@ -57,9 +58,17 @@ Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of 
 std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
                               const FrameOf& of = {});
 
+// In place of shot and frame, of a request for a preview.
+Step preview_step(Job& job, const render::CameraOptions& camera);
+// After the frame, of a scene that asks for passes.
+Step passes_step(Job& job, const render::CameraOptions& camera);
+
 // A frame is traced from what these steps wrote.
 inline constexpr const char* kAssetsStep = "emit land";
 std::string shot_step_name(const std::string& frame);
+// What the camera draws of the finished land.
+render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
+                     const Terrain& terrain);
 std::uint64_t ocio_hash();  // of the config that $OCIO names, 0 for none
 
 // Every step of the scene, whatever the goal.

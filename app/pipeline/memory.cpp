@@ -148,6 +148,11 @@ std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels) {
     return kProgram + kPovray + 4 * ground_pixels(cells) + 24 * cells + 28 * pixels;
 }
 
+// Measured 396 MiB of 1024 x 1024 cells and 1920 x 1080 pixels, without the maps.
+std::uint64_t of_passes(std::uint64_t cells, std::uint64_t pixels) {
+    return kProgram + 5 * ground_pixels(cells) + 110 * cells + 100 * pixels;
+}
+
 std::uint64_t of_delivery(std::uint64_t pixels) { return kProgram + 48 * pixels; }
 
 std::uint64_t available() {

@@ -24,6 +24,8 @@ std::uint64_t of_solid(std::uint64_t cells, int samples);
 std::uint64_t of_check(std::uint64_t cells);
 std::uint64_t of_emit(std::uint64_t cells);
 std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels);
+// Of all passes of a frame.
+std::uint64_t of_passes(std::uint64_t cells, std::uint64_t pixels);
 std::uint64_t of_delivery(std::uint64_t pixels);
 
 // What this process may still take: the machine's available memory, its control group's

@@ -75,6 +75,13 @@ void deliver_frame(const std::filesystem::path& povray_exr,
               display.shown(developed(std::move(frame), stops)));
 }
 
+Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour) {
+    const Display display(colour);
+    Field<Rgb> frame = acescg_of(std::move(rec709));
+    const double stops = own_stops(frame) + colour.exposure;
+    return display.shown(developed(std::move(frame), stops));
+}
+
 double own_exposure(const std::filesystem::path& povray_exr) {
     return own_stops(acescg_of(read_exr_rgb(povray_exr)));
 }

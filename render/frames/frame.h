@@ -16,6 +16,9 @@ void deliver_frame(const std::filesystem::path& povray_exr,
                    const ColourOptions& colour, const Metadata& metadata,
                    std::optional<double> exposure = {});
 
+// What `<name>.png` would be of a frame in memory, linear Rec.709.
+Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour);
+
 // EV that a frame gets by itself: its 90th percentile of light shown as 0.6 of white
 // before the view. `exposure` above replaces it, so that a sequence does not flicker.
 double own_exposure(const std::filesystem::path& povray_exr);

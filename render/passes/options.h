@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <vector>
 
 namespace cydonia::render {
@@ -20,7 +21,7 @@ inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNor
                                       Pass::kShadow, Pass::kSky};
 
 struct PassOptions {
-    std::vector<Pass> which;  // none by default
+    std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};
     bool separate = false;    // a file each, besides the frame, not one of many parts
 };
 

@@ -1,0 +1,87 @@
+// What compositors want besides the frame: render/passes, from the same camera over the
+// same land, in frames/<camera>.passes.exr or a file each.
+#include <fmt/core.h>
+
+#include "app/pipeline/cache.h"
+#include "app/pipeline/job.h"
+#include "app/pipeline/memory.h"
+#include "field/image.h"
+#include "render/passes/passes.h"
+
+namespace fs = std::filesystem;
+
+namespace cydonia {
+namespace {
+
+std::uint64_t hash_of(const fs::path& file) {
+    std::error_code none;
+    return fs::exists(file, none) ? open_source(file).hash : 0;
+}
+
+std::uint64_t passes_key(const Job& job, const std::string& frame) {
+    return hash_text(fmt::format("passes {:016x} {:016x} {:016x} {:016x} {} {}\n{}",
+                                 job.land.key(), job.program,
+                                 hash_of(job.folder / "frames" / (frame + ".exr")),
+                                 hash_of(job.folder / "pov" / "materials.png"), frame,
+                                 name_of(job.request.quality), job.spec.render_text));
+}
+
+// As POV-Ray had them.
+render::PassMaps maps_of(const Job& job) {
+    render::PassMaps maps;
+    const Field<Rgba8> materials =
+        read_rgba(open_source(job.folder / "pov" / "materials.png"));
+    maps.materials = Field<std::uint8_t>(materials.width(), materials.height());
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        maps.materials[i] = materials[i][0];
+    maps.sky_visibility =
+        read_grey(open_source(job.folder / "pov" / "sky_visibility.png"));
+    return maps;
+}
+
+Made make_passes(Job& job, const render::CameraOptions& camera) {
+    const render::PassOptions& options = *job.spec.render.passes;
+    const Terrain& terrain = job.land.finished();
+    const render::Shot shot = shot_of(camera, job, terrain);
+    const render::View view(terrain, shot.options.water);
+    job.progress.report(0.1);
+    // Maps show triangles, perspective what is smooth between their corners, as the .pov.
+    const bool smooth = shot.camera.projection == Camera::Projection::kPerspective;
+    const auto points = view.seen(render::CameraRays(shot.camera), smooth);
+    job.progress.report(0.4);
+    const auto layers =
+        render::passes(view, points, shot.sun, maps_of(job), options.which);
+    job.progress.report(0.7);
+
+    Metadata metadata = job.metadata();
+    metadata["cydonia:camera"] = camera.name;
+    metadata["cydonia:space"] = "metres; x east, y north, z up; Z along the view's axis";
+    const int width = points.width(), height = points.height();
+    Made made;
+    const auto write = [&](const std::string& pass, const Field<Rgb>& beauty,
+                           const std::vector<render::PassLayer>& parts) {
+        made.outputs.push_back("frames/" + camera.name + "." + pass + ".exr");
+        render::write_passes(job.folder / made.outputs.back(), beauty, parts, width,
+                             height, metadata);
+    };
+    if (options.separate)
+        for (const render::PassLayer& layer : layers) write(layer.name, {}, {layer});
+    else
+        write("passes", read_exr_rgb(job.folder / "frames" / (camera.name + ".exr")),
+              layers);
+    return made;
+}
+
+}  // namespace
+
+Step passes_step(Job& job, const render::CameraOptions& camera) {
+    const auto pixels = static_cast<std::uint64_t>(camera.size[0]) *
+                        static_cast<std::uint64_t>(camera.size[1]);
+    return {.name = "passes " + camera.name,
+            .goal = Goal::kFrames,
+            .memory = memory::of_passes(job.cells(), pixels),
+            .key = [&job, camera] { return passes_key(job, camera.name); },
+            .run = [&job, camera] { return make_passes(job, camera); }};
+}
+
+}  // namespace cydonia

@@ -1,0 +1,230 @@
+#include "render/embree/preview_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "field/parallel.h"
+#include "field/sample.h"
+#include "render/ground/ground.h"
+#include "render/passes/view.h"
+#include "render/sky/sky.h"
+
+namespace cydonia::render {
+namespace {
+
+constexpr int kLongestGround = 512;  // samples a side that are painted
+constexpr int kDomeHeight = 64;
+constexpr double kWaterIndex = 1.33;
+constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
+constexpr float kWaterClear = 0.8f;
+
+Rgb operator+(const Rgb& a, const Rgb& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Rgb operator*(const Rgb& a, const Rgb& b) {
+    return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+Rgb operator*(double s, const Rgb& c) {
+    const auto f = static_cast<float>(s);
+    return {f * c[0], f * c[1], f * c[2]};
+}
+Rgb mixed(const Rgb& a, const Rgb& b, double t) { return (1.0 - t) * a + t * b; }
+Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+// The land with so many samples as a preview can show the colours of.
+Terrain painted(const Terrain& t) {
+    const int w = t.heights.width(), h = t.heights.height();
+    const int step = (std::max(w, h) + kLongestGround - 1) / kLongestGround;
+    if (step <= 1) return t;
+    const int columns = std::max(2, w / step), rows = std::max(2, h / step);
+    Terrain small;
+    small.spacing = t.width() / columns;
+    small.heights = resized(t.heights, columns, rows);
+    for (const auto& [name, mask] : t.masks)
+        small.masks[name] = resized(mask, columns, rows);
+    if (!t.water.empty()) {
+        small.water = Field<float>(columns, rows);
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < columns; ++x)
+                small.water(x, y) = t.water(std::min(x * step + step / 2, w - 1),
+                                            std::min(y * step + step / 2, h - 1));
+    }
+    return small;
+}
+
+Rgb bilinear(const Field<Rgb>& map, double x, double y, bool wraps) {
+    y = std::clamp(y, 0.0, map.height() - 1.0);
+    if (!wraps) x = std::clamp(x, 0.0, map.width() - 1.0);
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(y);
+    const auto column = [&](int at) {
+        return wraps ? (at + map.width()) % map.width() : std::min(at, map.width() - 1);
+    };
+    const int j1 = std::min(j + 1, map.height() - 1);
+    const int i0 = column(i), i1 = column(i + 1);
+    return mixed(mixed(map(i0, j), map(i1, j), x - i),
+                 mixed(map(i0, j1), map(i1, j1), x - i), y - j);
+}
+
+// Colours at even distances along a line from 0 to 1.
+Rgb of_palette(std::span<const Rgb> colours, double at) {
+    const auto last = static_cast<double>(colours.size() - 1);
+    const double x = std::clamp(at, 0.0, 1.0) * last;
+    const auto i = std::min(static_cast<std::size_t>(x), colours.size() - 2);
+    return mixed(colours[i], colours[i + 1], x - static_cast<double>(i));
+}
+
+constexpr Rgb kHeights[] = {{0.12f, 0.06f, 0.02f}, {0.08f, 0.25f, 0.05f},
+                            {0.50f, 0.06f, 0.03f}, {0.75f, 0.25f, 0.03f},
+                            {0.80f, 0.65f, 0.08f}, {0.85f, 0.85f, 0.85f}};
+constexpr Rgb kSlopes[] = {{0.35f, 0.35f, 0.35f},
+                           {0.08f, 0.30f, 0.06f},
+                           {0.55f, 0.06f, 0.04f},
+                           {0.80f, 0.65f, 0.06f}};
+constexpr Rgb kPaper{0.30f, 0.33f, 0.36f};  // around land that is coloured
+
+// Unpolarised light from air onto water.
+double fresnel(double cosine) {
+    const double other =
+        std::sqrt(1.0 - (1.0 - cosine * cosine) / (kWaterIndex * kWaterIndex));
+    const double s = (cosine - kWaterIndex * other) / (cosine + kWaterIndex * other);
+    const double p = (kWaterIndex * cosine - other) / (kWaterIndex * cosine + other);
+    return 0.5 * (s * s + p * p);
+}
+
+class Picture {
+  public:
+    Picture(const Shot& shot, const Terrain& terrain, Style style)
+        : shot_(shot),
+          style_(style),
+          view_(terrain, shot.options.water),
+          rays_(shot.camera),
+          to_sun_(direction_to(shot.sun)) {
+        const auto [low, high] = std::ranges::minmax(view_.terrain().heights);
+        low_ = low, high_ = std::max(high, low + 1.0f);
+        if (style != Style::kNatural) return;
+        const Terrain small = painted(terrain);
+        albedo_ = ground_albedo(small, shot.options.ground, 1);
+        for (const Rgb& colour : albedo_)
+            mean_ = mean_ + (1.0 / static_cast<double>(albedo_.size())) * colour;
+        sky_visible_ = sky_visibility(small.heights, small.spacing);
+        light_ = daylight(shot.sun, shot.options.sky);
+        dome_ = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
+        const double visibility = shot.options.haze.visibility.in(terrain.width());
+        if (visibility > 0.0 &&
+            shot.camera.projection == Camera::Projection::kPerspective)
+            thickness_ = 3.912 / visibility;  // Koschmieder
+        haze_height_ = std::max(terrain.width(), terrain.depth()) / 16.0;
+    }
+
+    Field<Rgb> drawn() const {
+        const bool smooth = shot_.camera.projection == Camera::Projection::kPerspective;
+        const Field<SeenPoint> points = view_.seen(rays_, smooth);
+        Field<std::uint8_t> shadow;
+        if (style_ == Style::kNatural) shadow = view_.shadow(points, shot_.sun);
+        Field<Rgb> frame(points.width(), points.height());
+        parallel_for(frame.height(), 4, [&](int y) {
+            for (int x = 0; x < frame.width(); ++x) {
+                const SeenPoint& p = points(x, y);
+                const Ray ray = rays_.through(x + 0.5, y + 0.5);
+                frame(x, y) = style_ == Style::kNatural
+                                  ? natural(p, ray, shadow(x, y) != 0)
+                                  : diagram(p);
+            }
+        });
+        return frame;
+    }
+
+  private:
+    Rgb sky(const Vec3& way) const {
+        const double azimuth = std::atan2(way.x, way.y);  // from north
+        // As POV-Ray wraps it: from +x over +z, which is north.
+        const double turn = 0.25 - azimuth / (2.0 * std::numbers::pi);
+        const double elevation = std::asin(std::clamp(way.z, -1.0, 1.0));
+        return bilinear(dome_, (turn - std::floor(turn)) * dome_.width() - 0.5,
+                        (0.5 - elevation / std::numbers::pi) * dome_.height() - 0.5,
+                        true);
+    }
+
+    Rgb ground(const SeenPoint& p) const {
+        if (p.surface == Surface::kSide || p.surface == Surface::kOutskirts) return mean_;
+        const Terrain& land = view_.terrain();
+        return bilinear(albedo_, p.at[0] / land.width() * albedo_.width() - 0.5,
+                        (1.0 - p.at[1] / land.depth()) * albedo_.height() - 0.5, false);
+    }
+
+    double visible(const SeenPoint& p) const {
+        if (p.surface == Surface::kSide) return 0.5;
+        if (p.surface != Surface::kLand) return 1.0;
+        const Terrain& land = view_.terrain();
+        return cydonia::bilinear(
+            sky_visible_, p.at[0] / land.width() * sky_visible_.width() - 0.5,
+            (1.0 - p.at[1] / land.depth()) * sky_visible_.height() - 0.5);
+    }
+
+    Rgb natural(const SeenPoint& p, const Ray& ray, bool shadowed) const {
+        if (p.surface == Surface::kSky)
+            return hazed(sky(ray.direction), ray, 1e4 * haze_height_);
+        const Vec3 normal = vec(p.normal);
+        const double lit = shadowed ? 0.0 : std::max(0.0, dot(normal, to_sun_));
+        const Rgb falling =
+            lit * light_.sun + shot_.options.sky.fill * visible(p) * light_.sky;
+        Rgb colour = ground(p);
+        if (p.surface == Surface::kWater) colour = mixed(kWaterVeil, colour, kWaterClear);
+        Rgb seen = colour * falling;
+        if (p.surface == Surface::kWater) {
+            const Vec3 mirrored{ray.direction.x, ray.direction.y,
+                                std::abs(ray.direction.z)};
+            seen = mixed(seen, sky(mirrored), fresnel(std::abs(ray.direction.z)));
+        }
+        return hazed(seen, ray, length(vec(p.at) - ray.from));
+    }
+
+    // POV-Ray's ground fog: below the lowest ground even, above it thinning out as
+    // 1 / (1 + height / haze_height_)^2.
+    Rgb hazed(const Rgb& colour, const Ray& ray, double distance) const {
+        if (thickness_ <= 0.0) return colour;
+        const double from = (ray.from.z - low_) / haze_height_;
+        const double to = from + distance * ray.direction.z / haze_height_;
+        const auto below = [](double u) { return u < 0.0 ? u : u / (1.0 + u); };
+        const auto here = [](double u) { return u < 0.0 ? 1.0 : 1.0 / square(1.0 + u); };
+        const double mean = std::abs(to - from) < 1e-6
+                                ? here(from)
+                                : (below(to) - below(from)) / (to - from);
+        return mixed(light_.horizon, colour, std::exp(-thickness_ * mean * distance));
+    }
+    static double square(double v) { return v * v; }
+
+    Rgb diagram(const SeenPoint& p) const {
+        if (p.surface == Surface::kSky || p.surface == Surface::kOutskirts) return kPaper;
+        const Vec3 normal = vec(p.normal);
+        const double shade = 0.25 + 0.75 * std::max(0.0, dot(normal, to_sun_));
+        if (style_ == Style::kGrey) return shade * Rgb{0.7f, 0.7f, 0.7f};
+        if (p.surface == Surface::kWater) return shade * Rgb{0.05f, 0.15f, 0.35f};
+        if (style_ == Style::kHeight)
+            return shade * of_palette(kHeights, (p.at[2] - low_) / (high_ - low_));
+        const double slope = std::acos(std::clamp(normal.z, -1.0, 1.0));
+        return shade * of_palette(kSlopes, slope / radians(60.0));
+    }
+
+    const Shot& shot_;
+    Style style_;
+    View view_;
+    CameraRays rays_;
+    Vec3 to_sun_;
+    float low_ = 0.0f, high_ = 1.0f;
+    Field<Rgb> albedo_, dome_;
+    Field<float> sky_visible_;
+    Daylight light_{};
+    Rgb mean_{};
+    double thickness_ = 0.0, haze_height_ = 1.0;
+};
+
+}  // namespace
+
+Field<Rgb> preview_frame(const Shot& shot, const Terrain& terrain, Style style) {
+    return Picture(shot, terrain, style).drawn();
+}
+
+}  // namespace cydonia::render
