@@ -82,7 +82,7 @@ constexpr Rgb kSlopes[] = {{0.35f, 0.35f, 0.35f},
                            {0.08f, 0.30f, 0.06f},
                            {0.55f, 0.06f, 0.04f},
                            {0.80f, 0.65f, 0.06f}};
-constexpr Rgb kPaper{0.30f, 0.33f, 0.36f};  // around land that is coloured
+constexpr Rgb kPaper{0.25f, 0.25f, 0.25f};  // around land that is coloured
 
 // Unpolarised light from air onto water.
 double fresnel(double cosine) {
@@ -150,6 +150,9 @@ class Picture {
     Rgb ground(const SeenPoint& p) const {
         if (p.surface == Surface::kSide || p.surface == Surface::kOutskirts) return mean_;
         const Terrain& land = view_.terrain();
+        const bool beyond = p.at[0] < 0.0f || p.at[1] < 0.0f || p.at[0] > land.width() ||
+                            p.at[1] > land.depth();
+        if (beyond) return {};  // the open sea is deep
         return bilinear(albedo_, p.at[0] / land.width() * albedo_.width() - 0.5,
                         (1.0 - p.at[1] / land.depth()) * albedo_.height() - 0.5, false);
     }
