@@ -22,7 +22,7 @@ inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNor
 
 struct PassOptions {
     std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};
-    bool separate = false;    // a file each, besides the frame, not one of many parts
+    bool separate = false;  // a file each, besides the frame, not one of many parts
 };
 
 }  // namespace cydonia::render

@@ -23,7 +23,7 @@ Part part(const std::string& name, const std::vector<std::string>& channels, boo
     spec.channelnames = channels;
     spec["oiio:subimagename"] = name;
     spec["compression"] = "zips";  // a line at a time, as compositors read
-    spec["DateTime"] = "";  // the same values give the same bytes on any day
+    spec["DateTime"] = "";         // the same values give the same bytes on any day
     for (const auto& [key, value] : metadata) spec[key] = value;
     return {std::move(spec), values};
 }
