@@ -203,7 +203,7 @@ TEST_F(Looks, MistakesSayWhereAndWhat) {
            "nowhere.toml");
     const std::string earth = "[[layer]]\nmaterial = \"stone.toml\"\n";
     EXPECT_EQ(complaint_of(earth, kStone), "");
-    expect(complaint_of("", kStone), "must be there, without conditions");
+    expect(complaint_of("# nothing\n", kStone), "must be there, without conditions");
     expect(complaint_of(earth + "steeper = [10, 20]\n", kStone), "lies everywhere");
     expect(complaint_of(earth + "[[layer]]\nmaterial = \"snoww\"\n", kStone),
            "mine.toml:4:12: layer[1].material: no material 'snoww'; did you mean 'snow'");
@@ -217,7 +217,7 @@ TEST_F(Looks, MistakesSayWhereAndWhat) {
         complaint_of(earth + "[[layer]]\nmaterial = \"snow\"\nsteper = [1, 2]\n", kStone),
         "did you mean 'steeper'?");
     expect(complaint_of(earth, "light = [0.3, 0.3, 2]\ndark = [0, 0, 0]\n"),
-           "stone.toml:1:19: light[2]: 2 is out of range");
+           "stone.toml:1:20: light[2]: 2 is out of range");
     expect(complaint_of(earth, "light = [0.3, 0.3]"), "light: expected");
     expect(complaint(kLeastScene +
                      "[render]\nlook = \"mars\"\nground = { snow_line = 5 }\n"),
