@@ -9,6 +9,7 @@
 #include "render/ground/options.h"
 #include "render/passes/options.h"
 #include "render/sky/options.h"
+#include "render/things/options.h"
 
 namespace cydonia::render {
 
@@ -21,6 +22,7 @@ struct Options {
     HazeOptions haze;
     std::optional<WaterOptions> water;
     GroundOptions ground;
+    std::vector<ThingOptions> things;  // on the ground; default: none
     ColourOptions colour;
     std::optional<PassOptions> passes;  // default: none
 };

@@ -89,7 +89,7 @@ std::string things(const Shot& shot, const Terrain& terrain) {
     // Light through leaves and between blades is not traced: half the sky's stands for
     // it.
     std::string text = R"(// Things on the ground: x east, y up, z north, metres.
-#declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.35 * SkyLight * SkyFill }
+#declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.25 * SkyLight * SkyFill }
 )";
     std::array<bool, std::size(kNames)> declared{};
     std::string copies;

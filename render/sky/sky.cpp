@@ -6,6 +6,7 @@
 
 #include "field/parallel.h"
 #include "render/sky/atmosphere.h"
+#include "render/sky/clouds.h"
 
 namespace cydonia::render {
 namespace {
@@ -24,6 +25,7 @@ Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 Rgb rgb(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
+Vec3 vec(const Rgb& c) { return {c[0], c[1], c[2]}; }
 double luminance(Vec3 v) { return 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z; }
 
 // Of the moon's light to that of a full one: C. W. Allen, "Astrophysical Quantities"
@@ -101,6 +103,12 @@ Vec3 direction_at(double azimuth, double elevation) {
     return direction_to({azimuth, elevation});
 }
 
+// Of a pixel of the dome above the horizon; columns run from east to north.
+Vec3 direction_of(int x, int y, int width, int height) {
+    return direction_at(pi / 2.0 - 2.0 * pi * (x + 0.5) / width,
+                        pi / 2.0 * (1.0 - (y + 0.5) / height));
+}
+
 Vec3 mean_at(const Sky& sky, double azimuth, double angle, double elevation) {
     constexpr int kAcross = 16;
     Vec3 sum;
@@ -110,19 +118,41 @@ Vec3 mean_at(const Sky& sky, double azimuth, double angle, double elevation) {
     return 1.0 / kAcross * sum;
 }
 
+constexpr int kCloudDetail = 6;  // pixels a pixel of clear sky
 constexpr double kDegree = pi / 180.0;
 
 // Rows above the horizon; radiance is smooth away from the sun.
 Field<Rgb> upper_dome(const Sky& sky, int width, int height) {
     Field<Rgb> dome(width, height);
     parallel_for(height, [&](int y) {
-        const double elevation = pi / 2.0 * (1.0 - (y + 0.5) / height);
-        for (int x = 0; x < width; ++x) {
-            const double azimuth = pi / 2.0 - 2.0 * pi * (x + 0.5) / width;
-            dome(x, y) = rgb(sky.radiance(direction_at(azimuth, elevation)));
-        }
+        for (int x = 0; x < width; ++x)
+            dome(x, y) = rgb(sky.radiance(direction_of(x, y, width, height)));
     });
     return dome;
+}
+
+// The sky behind, bilinear, and the clouds before it, which the air veils far away.
+void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& clear,
+                 Field<Rgb>& dome, int height) {
+    const double scale = static_cast<double>(clear.width()) / dome.width();
+    parallel_for(height, [&](int y) {
+        const double v = std::clamp((y + 0.5) * scale - 0.5, 0.0, clear.height() - 1.001);
+        const int j = static_cast<int>(v);
+        for (int x = 0; x < dome.width(); ++x) {
+            const double u = (x + 0.5) * scale - 0.5 + clear.width();
+            const int i = static_cast<int>(u) % clear.width(),
+                      next = (i + 1) % clear.width();
+            const double f = u - std::floor(u), g = v - j;
+            const Vec3 behind =
+                (1.0 - g) * ((1.0 - f) * vec(clear(i, j)) + f * vec(clear(next, j))) +
+                g * ((1.0 - f) * vec(clear(i, j + 1)) + f * vec(clear(next, j + 1)));
+            const Vec3 toward = direction_of(x, y, dome.width(), height);
+            const auto cloud = clouds.seen(toward, sky.sun(), sky.mean());
+            const double near = std::exp(-0.035 / std::max(toward.z, 1e-3));
+            dome(x, y) =
+                rgb(behind + near * (cloud.light + (cloud.through - 1.0) * behind));
+        }
+    });
 }
 
 }  // namespace
@@ -142,12 +172,18 @@ AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
 
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {
     const Sky sky(sun, options);
+    const bool clouded =
+        options.clouds == Clouds::kCirrus || options.clouds == Clouds::kBroken;
+    const Field<Rgb> above = upper_dome(sky, 2 * height, height / 2);
+    if (clouded) height *= kCloudDetail;
     const int upper = height / 2;
     Field<Rgb> dome(2 * height, height);
-    const Field<Rgb> above = upper_dome(sky, 2 * height, upper);
-    std::copy(above.begin(), above.end(), dome.begin());
+    if (clouded)
+        draw_clouds(CloudLayer(options.clouds, sun), sky, above, dome, upper);
+    else
+        std::copy(above.begin(), above.end(), dome.begin());
     for (int y = upper; y < height; ++y)
-        std::copy_n(above.row(upper - 1).begin(), 2 * height, dome.row(y).begin());
+        std::copy_n(dome.row(upper - 1).begin(), 2 * height, dome.row(y).begin());
     return dome;
 }
 

@@ -31,7 +31,7 @@ AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
 // The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
 // takes it (map_type 1): the top row is the zenith, below the horizon stands the
 // horizon's colour; the sun's disc is left out. North lies where POV-Ray's +z is, see
-// render/pov.
+// render/pov. Six times as high where there are clouds, which are finer.
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height);
 
 }  // namespace cydonia::render

@@ -91,7 +91,7 @@ void add_lump(Part& part, Vec3 centre, Vec3 radius, int times, double roughness,
 // Tiers of drooping branches around a stem, each a star of long and short ones.
 Original conifer(Draws& draw) {
     Part wood{varied({0.070f, 0.050f, 0.035f}, draw(0.8, 1.2)), false, {}, {}};
-    Part needles{varied({0.021f, 0.042f, 0.016f}, draw(0.7, 1.35)), false, {}, {}};
+    Part needles{varied({0.032f, 0.041f, 0.021f}, draw(0.65, 1.35)), false, {}, {}};
     const double width = draw(0.15, 0.21), bare = draw(0.05, 0.12);
     add_stem(wood, {0, 0, -0.03}, {0, 0, 0.9}, 0.018, 0.004);
     const int tiers = 9 + int(draw(0.0, 3.0));
@@ -120,7 +120,7 @@ Original conifer(Draws& draw) {
 // A stem, a few boughs and lumps of leaves around their ends.
 Original broadleaf(Draws& draw) {
     Part wood{varied({0.085f, 0.066f, 0.048f}, draw(0.8, 1.2)), false, {}, {}};
-    Part leaves{varied({0.048f, 0.078f, 0.022f}, draw(0.7, 1.3)), true, {}, {}};
+    Part leaves{varied({0.058f, 0.076f, 0.030f}, draw(0.7, 1.3)), true, {}, {}};
     const double fork = draw(0.22, 0.32);
     add_stem(wood, {0, 0, -0.03}, {0, 0, fork}, 0.035, 0.022);
     const int boughs = 11;

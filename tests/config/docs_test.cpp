@@ -66,7 +66,7 @@ struct Documented {
 std::string in_plain_scene(std::string table, const std::string& stage) {
     const std::pair<const char*, std::string> places[] = {
         {"terrain\\.stage", stage},
-        {"\\b(image|camera|profile|region|exemplar|point|curve|handle|paste)\\.",
+        {"\\b(image|camera|thing|profile|region|exemplar|point|curve|handle|paste)\\.",
          "$1[0]."},
         {"(stage\\[0\\]\\.water)\\.", "$1[0]."},
         {"group\\.(circles)", "group[1].$1"},
@@ -165,7 +165,8 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "point = [{ at = [0, 0], height = 0 }]\n"
         "paste = [{ exemplar = \"terrain\", to = [0, 0], radius = 1 }]\n"
         "curve = [{ points = [[0, 0], [1, 1]], height = 0 }]\n"
-        "[[render.camera]]\nname = \"a\"\n[render.water]\n";
+        "[[render.camera]]\nname = \"a\"\n"
+        "[[render.thing]]\nkind = \"rock\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));
     const auto rows = documented_defaults();
     EXPECT_GT(rows.size(), 60u);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/sun.h"
+#include "field/vec.h"
+#include "render/sky/options.h"
+
+namespace cydonia::render {
+
+// A layer of cloud over the middle of the land: heaps on a level base, or streaks of ice.
+class CloudLayer {
+  public:
+    CloudLayer(Clouds kind, const Sun& sun);
+
+    // What is seen of it in a direction above the horizon under sunlight and skylight, as
+    // colours of render/sky/sky.h, and how much of what is behind.
+    struct Seen {
+        Vec3 light;
+        double through = 1.0;
+    };
+    Seen seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const;
+
+    // How much sunlight comes down to a place, metres east and north of the middle and
+    // above the ground there.
+    double sunlight_through(double east, double north, double up) const;
+
+  private:
+    double thickness(double east, double north) const;  // 0 to 1
+    double density(Vec3 point) const;
+
+    Clouds kind_;
+    Vec3 sun_;
+    Field<float> map_;
+};
+
+}  // namespace cydonia::render
