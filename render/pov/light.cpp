@@ -43,17 +43,14 @@ std::string light_numbers(const Shot& shot) {
     if (has_haze(shot)) {
         const Length visibility = shot.options.haze.visibility;
         const Vec3 view = shot.camera.target - shot.camera.eye;
-        const AirLight air =
-            air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
-                      shot.camera.field_of_view);
-        text +=
-            fmt::format(R"(// What the air sends back, of the sky where the camera looks.
+        const Rgb air = air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
+                                  shot.camera.field_of_view);
+        text += fmt::format(
+            R"(// What the air sends back, of the sky where the camera looks.
 #declare HazeLight    = rgb <{}>;
-#declare AirLight     = rgb <{}>;
 #declare Visibility   = {} + {} * LandWidth; // metres at which haze takes over
 )",
-                        numbers(air.haze), numbers(air.air), number(visibility.metres),
-                        number(visibility.fraction));
+            numbers(air), number(visibility.metres), number(visibility.fraction));
     }
     return text + "\n";
 }
@@ -106,23 +103,16 @@ sky_sphere {{
                        shot.name);
 }
 
+// One fog: POV-Ray adds up the colours of several, and the horizon would shine.
 std::string haze() {
-    return R"(// At the distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-// Half of it at most is clean air, which is blue and reaches high; the rest is haze, which
-// lies low: three quarters of it are gone HazeHeight above the lowest ground.
+    return R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
+// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
 #declare HazeHeight = LandSize / 16; // metres
-#declare CleanAir = min(1.356e-5, 1.956 / Visibility); // in green, a metre
 fog {
     fog_type 2 up y
-    distance 1 / (3.912 / Visibility - CleanAir) / Unit
+    distance Visibility / 3.912 / Unit
     fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
     color HazeLight
-}
-fog {
-    fog_type 2 up y
-    distance 1 / CleanAir / Unit
-    fog_offset BaseHeight / Unit fog_alt 4 * HazeHeight / Unit
-    color AirLight
 }
 
 )";

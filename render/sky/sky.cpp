@@ -163,11 +163,8 @@ Daylight daylight(const Sun& sun, const SkyOptions& options) {
             rgb(mean_at(sky, 0.0, 2.0 * pi, 2.0 * kDegree))};
 }
 
-AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
-                   double angle) {
-    const Sky sky(sun, options);
-    return {rgb(mean_at(sky, azimuth, angle, 0.7 * kDegree)),
-            rgb(mean_at(sky, azimuth, angle, 6.0 * kDegree))};
+Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle) {
+    return rgb(mean_at(Sky(sun, options), azimuth, angle, 0.7 * kDegree));
 }
 
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {

@@ -19,14 +19,9 @@ struct Daylight {
 
 Daylight daylight(const Sun& sun, const SkyOptions& options);
 
-// What haze has from the air, seen toward an azimuth (radians from north) by a camera as
-// wide as `angle`: its own colour, that of the lowest degree of the sky, and that of the
-// clean air above it, a few degrees up.
-struct AirLight {
-    Rgb haze, air;
-};
-AirLight air_light(const Sun& sun, const SkyOptions& options, double azimuth,
-                   double angle);
+// What haze sends back toward a camera that looks to an azimuth (radians from north) and is
+// as wide as `angle`: the lowest degree of the sky there.
+Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle);
 
 // The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
 // takes it (map_type 1): the top row is the zenith, below the horizon stands the
