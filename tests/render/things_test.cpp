@@ -155,8 +155,10 @@ TEST(Things, OneThreadOrFour) {
 
 TEST(Things, TheNearestStayWhenThereAreTooMany) {
     const Terrain land = plain_and_cliff();
-    const auto few = things_in_view(land, conifers(), 0, from_eye_level(), 300);
-    const auto all = things_in_view(land, conifers(), 0, from_eye_level(), kAll);
+    ThingOptions options = conifers();
+    options.size = {{10.0, 10.0}};
+    const auto few = things_in_view(land, options, 0, from_eye_level(), 300);
+    const auto all = things_in_view(land, options, 0, from_eye_level(), kAll);
     ASSERT_EQ(few.size(), 300u);
     ASSERT_GT(all.size(), 600u);
     const auto count = [](const std::vector<Thing>& things, double from, double to) {
@@ -165,7 +167,8 @@ TEST(Things, TheNearestStayWhenThereAreTooMany) {
             return d >= from && d < to;
         }));
     };
-    EXPECT_GT(count(few, 0.0, 20.0), 0.95 * count(all, 0.0, 20.0));
+    EXPECT_GT(count(all, 0.0, 40.0), 20.0);
+    EXPECT_EQ(count(few, 0.0, 40.0), count(all, 0.0, 40.0));
     EXPECT_LT(count(few, 300.0, 600.0), 0.4 * count(all, 300.0, 600.0));
     EXPECT_GT(count(few, 300.0, 600.0), 10.0);
 }

@@ -36,7 +36,6 @@
 #declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
 // What the air sends back, of the sky where the camera looks.
 #declare HazeLight    = rgb <0.1492, 0.1476, 0.1496>;
-#declare AirLight     = rgb <0.1261, 0.1601, 0.1904>;
 #declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
 
 global_settings {
@@ -79,22 +78,14 @@ sky_sphere {
     }
 }
 
-// At the distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-// Half of it at most is clean air, which is blue and reaches high; the rest is haze, which
-// lies low: three quarters of it are gone HazeHeight above the lowest ground.
+// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
+// distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
 #declare HazeHeight = LandSize / 16; // metres
-#declare CleanAir = min(1.356e-5, 1.956 / Visibility); // in green, a metre
 fog {
     fog_type 2 up y
-    distance 1 / (3.912 / Visibility - CleanAir) / Unit
+    distance Visibility / 3.912 / Unit
     fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
     color HazeLight
-}
-fog {
-    fog_type 2 up y
-    distance 1 / CleanAir / Unit
-    fog_offset BaseHeight / Unit fog_alt 4 * HazeHeight / Unit
-    color AirLight
 }
 
 // The ground's colour covers the cells, draped from above.
