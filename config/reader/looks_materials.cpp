@@ -5,7 +5,7 @@
 #include "config/reader/readers.h"
 #include "field/error.h"
 #include "field/files.h"
-#include "render/colour/colour.h"
+#include "field/primaries.h"
 
 namespace cydonia::config {
 
@@ -29,7 +29,7 @@ constexpr Number kShare{from(0.0, 1.0)};
 // An albedo: snow sends back nine tenths, coal a fortieth; in between, shadows stay
 // shadows.
 Rgb albedo(Rgb colour, Space space) {
-    if (space == Space::kAcesCg) colour = render::rec709_from_acescg(colour);
+    if (space == Space::kAcesCg) colour = rec709_from_acescg(colour);
     for (float& c : colour) c = std::clamp(c, 0.003f, 0.95f);
     return colour;
 }

@@ -19,20 +19,6 @@ namespace OCIO = OCIO_NAMESPACE;
 namespace cydonia::render {
 namespace {
 
-using Matrix = std::array<std::array<float, 3>, 3>;
-
-// Rec.709 to XYZ, Bradford from D65 to the ACES white, XYZ to AP1 (S-2014-004).
-constexpr Matrix kAcesCgFromRec709{{{0.6130974f, 0.3395231f, 0.0473795f},
-                                    {0.0701937f, 0.9163539f, 0.0134524f},
-                                    {0.0206156f, 0.1095698f, 0.8698146f}}};
-constexpr Matrix kRec709FromAcesCg{{{1.7050510f, -0.6217921f, -0.0832589f},
-                                    {-0.1302564f, 1.1408047f, -0.0105483f},
-                                    {-0.0240034f, -0.1289690f, 1.1529725f}}};
-
-float dot(const std::array<float, 3>& a, const Rgb& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 std::filesystem::path config_file(const ColourOptions& options) {
     if (options.config) return options.config->path;
     if (const char* named = std::getenv("OCIO"); named && *named) return named;
@@ -111,7 +97,7 @@ Entrance entrance_of(const OCIO::Config& config, const std::filesystem::path& fi
         file.string());
 }
 
-OCIO::ConstTransformRcPtr rec709_from_acescg() {
+OCIO::ConstTransformRcPtr to_rec709() {
     double m[16] = {};
     for (int row = 0; row < 3; ++row)
         std::copy_n(kAcesCgFromRec709[row].begin(), 3, m + 4 * row);
@@ -134,7 +120,7 @@ OCIO::ConstCPUProcessorRcPtr processor_of(const OCIO::Config& config,
                                           const std::string& view) {
     const auto group = OCIO::GroupTransform::Create();
     if (entrance.primaries == Entrance::Primaries::kRec709)
-        group->appendTransform(rec709_from_acescg()->createEditableCopy());
+        group->appendTransform(to_rec709()->createEditableCopy());
     if (entrance.primaries == Entrance::Primaries::kAces2065)
         group->appendTransform(aces2065_from_acescg());
     const auto shown = OCIO::DisplayViewTransform::Create();
@@ -152,18 +138,8 @@ std::uint8_t byte_of(float value) {
 
 }  // namespace
 
-Rgb acescg_from_rec709(const Rgb& rec709) {
-    return {dot(kAcesCgFromRec709[0], rec709), dot(kAcesCgFromRec709[1], rec709),
-            dot(kAcesCgFromRec709[2], rec709)};
-}
-
-Rgb rec709_from_acescg(const Rgb& acescg) {
-    return {dot(kRec709FromAcesCg[0], acescg), dot(kRec709FromAcesCg[1], acescg),
-            dot(kRec709FromAcesCg[2], acescg)};
-}
-
 float luminance(const Rgb& acescg) {
-    return dot({0.2722287f, 0.6740818f, 0.0536895f}, acescg);
+    return 0.2722287f * acescg[0] + 0.6740818f * acescg[1] + 0.0536895f * acescg[2];
 }
 
 struct Display::Transform {

@@ -5,15 +5,10 @@
 
 #include "field/field.h"
 #include "field/image.h"
+#include "field/primaries.h"
 #include "render/options.h"
 
 namespace cydonia::render {
-
-// POV-Ray computes in linear Rec.709 and what is delivered is ACEScg: the one conversion
-// between them. White stays white (Bradford, D65 to the ACES white).
-Rgb acescg_from_rec709(const Rgb& rec709);
-// The way back, for colours that a scene names.
-Rgb rec709_from_acescg(const Rgb& acescg);
 
 // What light an ACEScg value stands for, relative to white (the Y of AP1).
 float luminance(const Rgb& acescg);
