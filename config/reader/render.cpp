@@ -63,7 +63,6 @@ void read(Table& t, SkyOptions& sky) {
     t.field("fill", sky.fill, Number{from(0.0, 10.0)});
     t.field("ground_albedo", sky.ground_albedo, Number{from(0.0, 1.0)});
     t.field("clouds", sky.clouds, one_of(kClouds));
-    t.field("cloud_shadows", sky.cloud_shadows, Flag{});
     t.field("moon", sky.moon, Number{from(0.0, 1.0)});
 }
 

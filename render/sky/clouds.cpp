@@ -142,18 +142,4 @@ CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) 
     return seen;
 }
 
-double CloudLayer::sunlight_through(double east, double north, double up) const {
-    if (kind_ != Clouds::kBroken || sun_.z <= 0.0) return 1.0;
-    constexpr int kSteps = 12;
-    double depth = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double z = (i + 0.5) / kSteps;
-        const double t = (kHeapBase + z * kHeapHeight - up) / std::max(sun_.z, 0.05);
-        depth += kHeapExtinction * kHeapHeight / kSteps / std::max(sun_.z, 0.2) *
-                 density({east + t * sun_.x, north + t * sun_.y, z});
-    }
-    // A cloud sends on much of what it scatters: its shadow is not black.
-    return 0.15 + 0.85 * std::exp(-depth);
-}
-
 }  // namespace cydonia::render

@@ -20,10 +20,6 @@ class CloudLayer {
     };
     Seen seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const;
 
-    // How much sunlight comes down to a place, metres east and north of the middle and
-    // above the ground there.
-    double sunlight_through(double east, double north, double up) const;
-
   private:
     double thickness(double east, double north) const;  // 0 to 1
     double density(Vec3 point) const;

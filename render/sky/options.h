@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "field/length.h"
 
 namespace cydonia::render {
@@ -14,9 +12,6 @@ struct SkyOptions {
     double ground_albedo =
         0.2;  // of the land all around, which lights the air from below
     Clouds clouds = Clouds::kNone;
-    // Whether broken clouds throw shadows; default: not where a shadow image is asked
-    // for.
-    std::optional<bool> cloud_shadows;
     // The lit share of the moon's disc. Above 0 it is night: the moon stands where the
     // scene puts the sun, and 1 is what a white sheet sends back of a full moon outside
     // the air, 400,000 times less than by day.
