@@ -19,8 +19,8 @@ struct Daylight {
 
 Daylight daylight(const Sun& sun, const SkyOptions& options);
 
-// What haze sends back toward a camera that looks to an azimuth (radians from north) and is
-// as wide as `angle`: the lowest degree of the sky there.
+// What haze sends back toward a camera that looks to an azimuth (radians from north) and
+// is as wide as `angle`: the lowest degree of the sky there.
 Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle);
 
 // The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
