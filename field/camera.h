@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "field/vec.h"
 
 namespace cydonia {
@@ -21,5 +23,27 @@ struct Camera {
     double aperture = 0.0;        // metres
     double focus_distance = 1.0;  // metres
 };
+
+// A camera's own directions, each of length 1.
+struct CameraAxes {
+    explicit CameraAxes(const Camera& camera)
+        : eye(camera.eye),
+          forward(normalized(camera.target - camera.eye)),
+          right(normalized(cross(forward, camera.up))),
+          up(cross(right, forward)) {}
+    // A point as the camera sees it: to the right, up and forward, metres.
+    Vec3 operator()(const Vec3& point) const {
+        const Vec3 d = point - eye;
+        return {dot(d, right), dot(d, up), dot(d, forward)};
+    }
+    Vec3 eye, forward, right, up;
+};
+
+// The side of a pixel: metres, or in perspective metres at one metre ahead.
+inline double pixel_side(const Camera& camera) {
+    const bool parallel = camera.projection == Camera::Projection::kOrthographic;
+    return (parallel ? camera.frame_width : 2.0 * std::tan(0.5 * camera.field_of_view)) /
+           camera.width;
+}
 
 }  // namespace cydonia

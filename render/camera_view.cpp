@@ -75,12 +75,7 @@ double outskirts_height(const Terrain& t) {
 
 double aspect(const Camera& c) { return static_cast<double>(c.width) / c.height; }
 
-Vec3 seen(const Camera& c, const Vec3& p) {
-    const Vec3 forward = normalized(c.target - c.eye);
-    const Vec3 right = normalized(cross(forward, c.up));
-    const Vec3 d = p - c.eye;
-    return {dot(d, right), dot(d, cross(right, forward)), dot(d, forward)};
-}
+Vec3 seen(const Camera& c, const Vec3& p) { return CameraAxes(c)(p); }
 
 bool in_frame(const Camera& c, const Vec3& p) {
     const Vec3 s = seen(c, p);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "field/checked_file.h"
+#include "field/source.h"
 
 namespace fs = std::filesystem;
 
@@ -159,6 +160,11 @@ Terrain unpacked(std::string_view bytes) {
 
 std::uint64_t hash_text(std::string_view text) {
     return XXH3_64bits(text.data(), text.size());
+}
+
+std::uint64_t hash_of_file(const fs::path& file) {
+    std::error_code none;
+    return fs::exists(file, none) ? open_source(file).hash : 0;
 }
 
 fs::path cached_terrain(const fs::path& folder, std::uint64_t key) {

@@ -11,6 +11,8 @@ namespace cydonia {
 
 // What something was made from, as one number.
 std::uint64_t hash_text(std::string_view text);
+// Zero for a missing file, which no finished step was made from.
+std::uint64_t hash_of_file(const std::filesystem::path& file);
 
 // Terrains between stages, whole (masks and shadow images too), one checked file a key.
 // Not a format to exchange: it is in this machine's byte order and only this version

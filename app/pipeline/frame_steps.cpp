@@ -22,12 +22,6 @@ namespace {
 // A frame is traced (costly) from what the emit step wrote, byte for byte, and delivered
 // (cheap) with the scene's colour options: exposure and view change without a new trace.
 
-// Zero for a missing file, which no finished step was made from.
-std::uint64_t hash_of_file(const fs::path& file) {
-    std::error_code none;
-    return fs::exists(file, none) ? open_source(file).hash : 0;
-}
-
 std::chrono::seconds time_limit(render::Quality quality) {
     switch (quality) {
         case render::Quality::kDraft:

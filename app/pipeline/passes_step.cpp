@@ -8,21 +8,14 @@
 #include "field/image.h"
 #include "render/passes/passes.h"
 
-namespace fs = std::filesystem;
-
 namespace cydonia {
 namespace {
-
-std::uint64_t hash_of(const fs::path& file) {
-    std::error_code none;
-    return fs::exists(file, none) ? open_source(file).hash : 0;
-}
 
 std::uint64_t passes_key(const Job& job, const std::string& frame) {
     return hash_text(fmt::format("passes {:016x} {:016x} {:016x} {:016x} {} {}\n{}",
                                  job.land.key(), job.program,
-                                 hash_of(job.folder / "frames" / (frame + ".exr")),
-                                 hash_of(job.folder / "pov" / "materials.png"), frame,
+                                 hash_of_file(job.folder / "frames" / (frame + ".exr")),
+                                 hash_of_file(job.folder / "pov" / "materials.png"), frame,
                                  name_of(job.request.quality), job.spec.render_text));
 }
 

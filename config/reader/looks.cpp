@@ -157,6 +157,18 @@ void read(Table& t, LookFile& out) {
 
 }  // namespace
 
+void read_data_file(const Source& source, const std::function<void(Table&)>& read) {
+    const std::string file = source.path.string();
+    const Value root = parse(read_text(source.path, kMostBytes), file);
+    Files files(source.path.parent_path());
+    Reading reading{files};
+    Table table(reading, &root, root.at);
+    read(table);
+    table.report_unknown();
+    if (!reading.mistakes.empty())
+        throw bad_request("{}", listed(std::move(reading.mistakes), {file, {}}));
+}
+
 Source named_file(const Value& value, Files& files, std::string_view folder,
                   std::string_view what) {
     const std::string name = Text{4096}.read(value, files);
@@ -174,17 +186,9 @@ Source LookName::read(const Value& value, Files& files) const {
 Source default_look() { return open_source(data_file("looks/natural.toml")); }
 
 LookFile read_look(const Source& source) {
-    const std::string file = source.path.string();
-    const Value root = parse(read_text(source.path, kMostBytes), file);
-    Files files(source.path.parent_path());
-    Reading reading{files};
     LookFile out;
     out.look.name = source.path.stem().string();
-    Table table(reading, &root, root.at);
-    read(table, out);
-    table.report_unknown();
-    if (!reading.mistakes.empty())
-        throw bad_request("{}", listed(std::move(reading.mistakes), {file, {}}));
+    read_data_file(source, [&](Table& t) { read(t, out); });
     out.look.materials.clear();
     for (const Source& material : out.materials)
         out.look.materials.push_back(read_material(material));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ Source default_look();
 LookFile read_look(const Source& source);
 // looks_materials.cpp
 render::Material read_material(const Source& source);
+
+// Reads a small file that is all one table. Throws bad_request as read_look does.
+void read_data_file(const Source& source, const std::function<void(Table&)>& read);
 
 // A shipped file of the folder ("looks") by its name, or any other one as "mine.toml".
 Source named_file(const Value& value, Files& files, std::string_view folder,

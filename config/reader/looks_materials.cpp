@@ -1,10 +1,7 @@
 #include <algorithm>
 
 #include "config/reader/looks.h"
-#include "config/reader/parse.h"
 #include "config/reader/readers.h"
-#include "field/error.h"
-#include "field/files.h"
 #include "field/primaries.h"
 
 namespace cydonia::config {
@@ -14,7 +11,6 @@ using render::Strata;
 
 namespace {
 
-constexpr std::size_t kMostBytes = 1u << 16;
 constexpr std::size_t kMostBeds = 32;
 
 // What the numbers of a file's colours stand for.
@@ -76,17 +72,9 @@ void read(Table& t, Material& m) {
 }  // namespace
 
 Material read_material(const Source& source) {
-    const std::string file = source.path.string();
-    const Value root = parse(read_text(source.path, kMostBytes), file);
-    Files files(source.path.parent_path());
-    Reading reading{files};
     Material material;
     material.name = source.path.stem().string();
-    Table table(reading, &root, root.at);
-    read(table, material);
-    table.report_unknown();
-    if (!reading.mistakes.empty())
-        throw bad_request("{}", listed(std::move(reading.mistakes), {file, {}}));
+    read_data_file(source, [&](Table& t) { read(t, material); });
     return material;
 }
 

@@ -29,13 +29,13 @@ class CameraRays {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    const Vec3& forward() const { return forward_; }
+    const Vec3& forward() const { return axes_.forward; }
 
   private:
     bool parallel_;
     int width_, height_;
-    Vec3 eye_, forward_, right_, up_;
-    double pixel_;  // its side: metres, or in perspective at one metre along the axis
+    CameraAxes axes_;
+    double pixel_;  // its side
 };
 
 }  // namespace cydonia::render

@@ -10,6 +10,7 @@
 #include "field/parallel.h"
 #include "field/random.h"
 #include "field/sample.h"
+#include "render/camera_view.h"
 #include "render/things/originals.h"
 
 namespace cydonia::render {
@@ -116,45 +117,39 @@ class Suitability {
     Field<float> map_;
 };
 
-// Whether a place is in a camera's frame.
-class View {
+// Whether a place is in a camera's frame, or so near that its shadow may be.
+class Frame {
   public:
-    explicit View(const Camera& camera)
-        : camera_(camera), ahead_(normalized(camera.target - camera.eye)) {
-        right_ = normalized(cross(ahead_, camera.up));
-        up_ = cross(right_, ahead_);
-        perspective_ = camera.projection == Camera::Projection::kPerspective;
-        half_ = perspective_ ? std::tan(0.5 * camera.field_of_view)
-                             : 0.5 * camera.frame_width;
-        pixel_ = 2.0 * half_ / camera.width;
-    }
+    explicit Frame(const Camera& camera)
+        : axes_(camera),
+          perspective_(camera.projection == Camera::Projection::kPerspective),
+          pixel_(pixel_side(camera)),
+          half_(0.5 * camera.width * pixel_),
+          aspect_(aspect(camera)) {}
     // Beyond this a thing of `height` is lower than a pixel.
     double reach(double height) const {
         if (perspective_) return height / (kLeastPixels * pixel_);
-        const double diagonal =
-            std::hypot(1.0, double(camera_.height) / camera_.width) * half_;
+        const double diagonal = std::hypot(1.0, 1.0 / aspect_) * half_;
         return height >= kLeastPixels * pixel_ ? 1.05 * diagonal : 0.0;
     }
-    bool sees(const Vec3& at, double height) const {
-        const Vec3 d = at - camera_.eye;
-        const double z = dot(d, ahead_), margin = kBehind * height;
-        if (perspective_ && z < -margin) return false;
-        const double half = perspective_ ? half_ * std::max(z, 0.0) : half_;
-        const double high = half * camera_.height / camera_.width;
-        return std::abs(dot(d, right_)) <= half + margin &&
-               dot(d, up_) <= high + margin && dot(d, up_) >= -high - margin;
+    bool holds(const Vec3& at, double height) const {
+        const Vec3 seen = axes_(at);
+        const double margin = kBehind * height;
+        if (perspective_ && seen.z < -margin) return false;
+        const double half = perspective_ ? half_ * std::max(seen.z, 0.0) : half_;
+        return std::abs(seen.x) <= half + margin &&
+               std::abs(seen.y) <= half / aspect_ + margin;
     }
     double distance(const Vec3& at) const {
-        return perspective_ ? length(at - camera_.eye) : 1.0;
+        return perspective_ ? length(at - axes_.eye) : 1.0;
     }
-    const Vec3& eye() const { return camera_.eye; }
+    const Vec3& eye() const { return axes_.eye; }
     bool perspective() const { return perspective_; }
 
   private:
-    const Camera& camera_;
-    Vec3 ahead_, right_, up_;
-    double half_, pixel_;
+    CameraAxes axes_;
     bool perspective_;
+    double pixel_, half_, aspect_;
 };
 
 struct Candidate {
@@ -175,12 +170,9 @@ void keep_first(std::vector<Candidate>& all, std::size_t most) {
 // Behind a crest from everywhere near the eye's line; things near the eye never are.
 bool is_hidden(const Terrain& terrain, const Vec3& eye, const Vec3& top) {
     constexpr int kSteps = 96;
-    const double s = terrain.spacing, depth = terrain.depth();
     for (int i = 1; i < kSteps; ++i) {
-        const double t = double(i) / kSteps;
-        const Vec3 p = eye + t * (top - eye);
-        if (bilinear(terrain.heights, p.x / s - 0.5, (depth - p.y) / s - 0.5) > p.z + s)
-            return true;
+        const Vec3 p = eye + double(i) / kSteps * (top - eye);
+        if (ground_at(terrain, p.x, p.y) > p.z + terrain.spacing) return true;
     }
     return false;
 }
@@ -195,10 +187,10 @@ std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& op
     if (density <= 0.0) return {};
     const auto size = options.size.value_or(habit.size);
     const double apart = 1.0 / std::sqrt(density);
-    const View view(camera);
+    const Frame frame(camera);
     const double reach =
-        std::min(view.reach(size[1]), 0.5 * std::sqrt(kMostPlaces) * apart);
-    const Vec3 eye = view.eye();
+        std::min(frame.reach(size[1]), 0.5 * std::sqrt(kMostPlaces) * apart);
+    const Vec3 eye = frame.eye();
     const auto first = [&](double v) { return std::int64_t(std::floor(v / apart)); };
     const std::int64_t x0 = first(std::max(0.0, eye.x - reach)),
                        x1 = first(std::min(terrain.width(), eye.x + reach)),
@@ -217,9 +209,9 @@ std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& op
         if (east >= terrain.width() || north >= terrain.depth()) return false;
         const double x = east / terrain.spacing - 0.5;
         const double y = (terrain.depth() - north) / terrain.spacing - 0.5;
-        const double ground = bilinear(terrain.heights, x, y);
+        const double ground = ground_at(terrain, east, north);
         const Vec3 at{east, north, ground};
-        if (!view.sees(at, size[1])) return false;
+        if (!frame.holds(at, size[1])) return false;
         if (draw() >= suitability.at(x, y, ground)) return false;
         // More low ones than tall ones, as things grow and break.
         const double grown = std::pow(draw(), 1.4);
@@ -229,8 +221,8 @@ std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& op
                        float(height),
                        float(2.0 * std::numbers::pi * draw()),
                        std::uint8_t(h >> 60 & (kOriginals - 1))};
-        const double distance = view.distance(at);
-        if (view.perspective() && distance > view.reach(height)) return false;
+        const double distance = frame.distance(at);
+        if (frame.perspective() && distance > frame.reach(height)) return false;
         // All there are nearby; then as many fewer as they are more in the same angle.
         found.rank = distance * std::sqrt(draw()) / height;
         return true;
@@ -244,7 +236,7 @@ std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& op
     std::vector<Candidate> all;
     for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
 
-    if (view.perspective()) {
+    if (frame.perspective()) {
         keep_first(all, 8 * most);
         std::vector<char> hidden(all.size());
         parallel_for(int(all.size()), 256, [&](int i) {

@@ -12,6 +12,7 @@
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"
 #include "tests/field/temporary_folder.h"
+#include "tests/render/no_povray.h"
 
 namespace cydonia::render {
 namespace {
@@ -25,11 +26,7 @@ constexpr int kSide = 256;
 class DrawnLens : public testing::Test {
   protected:
     void SetUp() override {
-        try {
-            povray_program();
-        } catch (const Error& e) {
-            GTEST_SKIP() << e.what();
-        }
+        if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
         shot.name = "lens";
         shot.camera.eye = {640.0, -900.0, 3000.0};
         shot.camera.target = {640.0, 600.0, 3000.0};

@@ -15,6 +15,7 @@
 #include "render/pov/pieces.h"
 #include "render/shadow/caster.h"
 #include "tests/field/temporary_folder.h"
+#include "tests/render/no_povray.h"
 #include "tests/render/shadow_land.h"
 
 namespace cydonia::render {
@@ -129,11 +130,7 @@ bool near_edge(const Field<std::uint8_t>& mask, int x, int y) {
 }
 
 void expect_aligned(const Camera& camera) {
-    try {
-        povray_program();
-    } catch (const Error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     const Terrain terrain = hills();
     const Field<Rgb> frame = by_povray(camera, terrain);
     const CameraRays rays(camera);

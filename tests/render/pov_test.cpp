@@ -16,6 +16,7 @@
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"
 #include "tests/field/temporary_folder.h"
+#include "tests/render/no_povray.h"
 
 namespace cydonia::render {
 namespace {
@@ -195,11 +196,7 @@ TEST(PovScene, NamesThatAreNotNames) {
 class PovFolder : public testing::Test {
   protected:
     void SetUp() override {
-        try {
-            povray_program();
-        } catch (const Error& e) {
-            GTEST_SKIP() << e.what();
-        }
+        if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     }
     void write(const Shot& shot, const Terrain& terrain) {
         write_pov_assets(folder_.path(), terrain, shot.options, shot.quality);

@@ -12,6 +12,7 @@
 #include "field/image.h"
 #include "tests/field/temporary_folder.h"
 #include "tests/render/environment.h"
+#include "tests/render/no_povray.h"
 
 namespace cydonia::render {
 namespace {
@@ -216,11 +217,7 @@ TEST_F(Povray, AnEarlierPictureSurvivesAFailure) {
 }
 
 TEST_F(Povray, TheRealOneDrawsASphere) {
-    try {
-        povray_program();
-    } catch (const Error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     folder.with("view.ini", "Input_File_Name=view.pov\nWidth=64\nHeight=48\n");
     folder.with("view.pov",
                 "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -239,11 +236,7 @@ TEST_F(Povray, TheRealOneDrawsASphere) {
 }
 
 TEST_F(Povray, TheRealOneNamesTheLine) {
-    try {
-        povray_program();
-    } catch (const Error& error) {
-        GTEST_SKIP() << error.what();
-    }
+    if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     folder.with("view.ini", "Input_File_Name=view.pov\n");
     folder.with("view.pov", "#version 3.7;\nspheer { 0, 1 }\n");
     Watcher watcher;
