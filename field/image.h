@@ -39,9 +39,13 @@ Field<Rgb> read_exr_rgb(const std::filesystem::path& path);
 Field<float> read_exr(const std::filesystem::path& path, Metadata* metadata = nullptr);
 
 // Written to a temporary name and renamed (field/files.h).
-void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey);
-void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey);
-void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb);
+// `level` of compression: 6 for what is kept and sent, 1 for what a program reads once
+// and soon, in a quarter of the time.
+void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey,
+               int level = 6);
+void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey,
+               int level = 6);
+void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb, int level = 6);
 // A JPEG's bytes, for pages to look at; quality 1 to 100.
 std::string jpeg_of(const Field<Rgb8>& rgb, int quality);
 void write_exr(const std::filesystem::path& path, const Field<float>& values,

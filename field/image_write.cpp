@@ -38,8 +38,9 @@ void write_image(const std::filesystem::path& path, const char* format,
 
 template <class T>
 void write_png_of(const std::filesystem::path& path, const Field<T>& image, int channels,
-                  OIIO::TypeDesc type, const char* colour_space) {
+                  OIIO::TypeDesc type, const char* colour_space, int level) {
     OIIO::ImageSpec spec(image.width(), image.height(), channels, type);
+    spec["png:compressionLevel"] = level;
     spec["oiio:ColorSpace"] = colour_space;
     write_image(path, "png", spec, type, image.data());
 }
@@ -55,17 +56,19 @@ void write_exr_of(const std::filesystem::path& path, const Field<T>& image,
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey) {
-    write_png_of(path, grey, 1, OIIO::TypeUInt8, "sRGB");
+void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& grey,
+               int level) {
+    write_png_of(path, grey, 1, OIIO::TypeUInt8, "sRGB", level);
 }
 
 // Heights, as a rule: labelled linear, the values untouched.
-void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey) {
-    write_png_of(path, grey, 1, OIIO::TypeUInt16, "Linear");
+void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey,
+               int level) {
+    write_png_of(path, grey, 1, OIIO::TypeUInt16, "Linear", level);
 }
 
-void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb) {
-    write_png_of(path, rgb, 3, OIIO::TypeUInt8, "sRGB");
+void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb, int level) {
+    write_png_of(path, rgb, 3, OIIO::TypeUInt8, "sRGB", level);
 }
 
 std::string jpeg_of(const Field<Rgb8>& rgb, int quality) {

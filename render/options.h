@@ -6,6 +6,7 @@
 #include "field/sun.h"
 #include "render/camera_options.h"
 #include "render/colour/options.h"
+#include "render/fine_relief/options.h"
 #include "render/ground/options.h"
 #include "render/passes/options.h"
 #include "render/sky/options.h"
@@ -21,6 +22,7 @@ struct Options {
     SkyOptions sky;
     HazeOptions haze;
     std::optional<WaterOptions> water;
+    FineReliefOptions fine_relief;
     GroundOptions ground;
     std::vector<ThingOptions> things;  // on the ground; default: none
     ColourOptions colour;

@@ -23,7 +23,7 @@ std::optional<Field<float>> base_of(Job& job) {
     };
     const auto before = std::ranges::find_if(stages, hides) - stages.begin();
     if (before == 0) return std::nullopt;
-    return job.land.after(static_cast<int>(before)).heights;
+    return job.land.as_drawn(job.land.after(static_cast<int>(before))).heights;
 }
 
 Made run_check(Job& job) {
@@ -31,7 +31,7 @@ Made run_check(Job& job) {
     if (job.land.finished().shadows.empty()) return made;
     const auto base = base_of(job);
     const fs::path folder = job.folder / "shadow";
-    const Terrain& terrain = job.land.finished();
+    const Terrain& terrain = job.land.drawn();
     const CheckedShadows checked =
         check_shadows(terrain, base ? &*base : nullptr, folder, job.progress);
     for (std::size_t i = 0; i < checked.reports.size(); ++i) {
@@ -59,9 +59,11 @@ Step check_step(Job& job) {
     return {
         "check",
         Goal::kCheck,
-        memory::of_check(job.cells()),
+        memory::of_check(job.drawn_cells()),
         [&job] {
-            return hash_text(fmt::format("{:016x} {:016x}", job.land.key(), job.program));
+            return hash_text(fmt::format(
+                "{:016x} {:016x} {}\n{}", job.land.key(), job.program, job.land.factor(),
+                job.land.factor() > 1 ? job.spec.render_text : ""));
         },
         [&job] { return run_check(job); },
         [&job](const Json& result) { gate(result, job); }};

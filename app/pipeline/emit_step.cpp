@@ -31,12 +31,12 @@ std::vector<std::string> in_pov(std::vector<std::string> names) {
 
 Made emit_assets(Job& job) {
     make_folder(job.folder / "pov");
-    return {in_pov(render::write_pov_assets(job.folder / "pov", job.land.finished(),
+    return {in_pov(render::write_pov_assets(job.folder / "pov", job.land.drawn(),
                                             job.spec.render, job.request.quality))};
 }
 
 Made emit_shot(Job& job, const render::CameraOptions& camera) {
-    const Terrain& terrain = job.land.finished();
+    const Terrain& terrain = job.land.drawn();
     const render::Shot shot = shot_of(camera, job, terrain);
     return {
         in_pov(render::write_pov_scene(job.folder / "pov", shot, terrain)),
@@ -63,7 +63,7 @@ render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
 }
 
 Step assets_step(Job& job) {
-    return {kAssetsStep, Goal::kEmit, memory::of_emit(job.cells()),
+    return {kAssetsStep, Goal::kEmit, memory::of_emit(job.drawn_cells()),
             [&job] { return emit_key(job, "assets"); },
             [&job] { return emit_assets(job); }};
 }
@@ -73,7 +73,7 @@ Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of)
     if (!of.camera.empty())
         what += fmt::format(" of {} {} {}", of.camera, camera.sun->azimuth,
                             camera.sun->elevation);
-    return {shot_step_name(camera.name), Goal::kEmit, memory::of_emit(job.cells()),
+    return {shot_step_name(camera.name), Goal::kEmit, memory::of_emit(job.drawn_cells()),
             [&job, what] { return emit_key(job, what); },
             [&job, camera] { return emit_shot(job, camera); }};
 }

@@ -117,7 +117,7 @@ std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
     return {
         {.name = "trace " + frame,
          .goal = Goal::kFrames,
-         .memory = memory::of_trace(job.cells(), pixels),
+         .memory = memory::of_trace(job.drawn_cells(), pixels),
          .key = [&job, frame] { return trace_key(job, frame); },
          .run = [&job, frame, of] { return trace(job, frame, of); },
          .before = [] { render::povray_program(); }},

@@ -22,7 +22,9 @@ Job::Job(const Request& asked, Progress& sink)
       scene_file(open_source(asked.scene)),
       spec(config::Scene::load(asked.scene, asked.overrides).at(0.0)),
       folder(output_of(asked, spec)),
-      land(spec, folder / ".cache", sink),
+      // A look in a second is at no finer land than a draft.
+      land(spec, asked.preview ? render::Quality::kDraft : asked.quality,
+           folder / ".cache", sink),
       ledger(folder),
       progress(sink),
       program(open_source("/proc/self/exe").hash) {}

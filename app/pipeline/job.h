@@ -34,6 +34,11 @@ struct Job {
         return static_cast<std::uint64_t>(land.width()) *
                static_cast<std::uint64_t>(land.height());
     }
+    // Of the land as drawn.
+    std::uint64_t drawn_cells() const {
+        const auto factor = static_cast<std::uint64_t>(land.factor());
+        return factor * factor * cells();
+    }
     std::vector<render::CameraOptions> cameras() const;  // asked for; at least one
     Metadata metadata() const;  // for the headers of what we write
 };

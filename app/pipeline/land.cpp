@@ -9,6 +9,7 @@
 #include "field/files.h"
 #include "field/quantise.h"
 #include "field/random.h"
+#include "render/fine_relief/fine_relief.h"
 #include "render/shadow/caster.h"
 
 namespace fs = std::filesystem;
@@ -32,6 +33,23 @@ std::uint64_t seed_of_stage(const config::SceneSpec& spec, int stage) {
     return hash_of({spec.seed, static_cast<std::uint64_t>(stage), key("stage")});
 }
 
+// Finer form would break a shadow image, unless the scene asks for it.
+int factor_of(const config::SceneSpec& spec, int samples, render::Quality quality) {
+    const render::FineReliefOptions& options = spec.render.fine_relief;
+    const bool hides = std::ranges::any_of(spec.stages, [](const auto& stage) {
+        return std::holds_alternative<pareidolia::Options>(stage.options);
+    });
+    if (hides && !options.factor) return 1;
+    return render::fine_factor(options, samples, quality);
+}
+
+std::uint64_t key_of_drawn(const render::FineReliefOptions& o, int factor,
+                           std::uint64_t seed, std::uint64_t land) {
+    return hash_text(fmt::format("fine {} {} {} {} {} {} {} {} {:016x}",
+                                 render::kFineReliefVersion, factor, o.gullies, o.crags,
+                                 o.terraces, o.step, o.craters, seed, land));
+}
+
 std::uint64_t key_of_stage(const config::StageSpec& stage, std::uint64_t before) {
     const Method method = method_of(stage.options);
     std::string text = fmt::format("{} {}\n{:016x}\n{}\n", method.name, method.version,
@@ -43,7 +61,8 @@ std::uint64_t key_of_stage(const config::StageSpec& stage, std::uint64_t before)
 
 }  // namespace
 
-Land::Land(const config::SceneSpec& spec, fs::path cache, Progress& progress)
+Land::Land(const config::SceneSpec& spec, render::Quality quality, fs::path cache,
+           Progress& progress)
     : spec_(spec), cache_(std::move(cache)), progress_(progress) {
     const config::TerrainSpec& t = spec.terrain;
     spacing_ = std::max(t.width, t.depth) / t.samples;
@@ -54,6 +73,7 @@ Land::Land(const config::SceneSpec& spec, fs::path cache, Progress& progress)
     for (const config::StageSpec& stage : spec.stages) {
         keys_.push_back(key_of_stage(stage, keys_.back()));
     }
+    factor_ = factor_of(spec, std::max(width_, height_), quality);
 }
 
 const Terrain& Land::after(int stage) {
@@ -68,6 +88,28 @@ const Terrain& Land::explained(int stage, const Explain& explain) {
     terrain_ = made(stage, &explain);
     stage_ = stage;
     return *terrain_;
+}
+
+const Terrain& Land::drawn() {
+    if (factor_ == 1) return finished();
+    if (terrain_ && stage_ == stages() + 1) return *terrain_;
+    const fs::path file = cached_terrain(
+        cache_,
+        key_of_drawn(spec_.render.fine_relief, factor_, spec_.seed, keys_.back()));
+    auto drawn = load_terrain(file);
+    if (!drawn) {
+        drawn = as_drawn(finished());
+        store_terrain(file, *drawn);
+        prune_terrains(cache_, kCacheBytes);
+    }
+    terrain_ = std::move(*drawn);
+    stage_ = stages() + 1;
+    return *terrain_;
+}
+
+Terrain Land::as_drawn(const Terrain& terrain) const {
+    return render::with_fine_relief(terrain, spec_.render.fine_relief, factor_,
+                                    spec_.seed);
 }
 
 Terrain Land::made(int stage, const Explain* explain) {

@@ -12,11 +12,11 @@ namespace cydonia {
 namespace {
 
 std::uint64_t passes_key(const Job& job, const std::string& frame) {
-    return hash_text(fmt::format("passes {:016x} {:016x} {:016x} {:016x} {} {}\n{}",
-                                 job.land.key(), job.program,
-                                 hash_of_file(job.folder / "frames" / (frame + ".exr")),
-                                 hash_of_file(job.folder / "pov" / "materials.png"), frame,
-                                 name_of(job.request.quality), job.spec.render_text));
+    return hash_text(
+        fmt::format("passes {:016x} {:016x} {:016x} {:016x} {} {}\n{}", job.land.key(),
+                    job.program, hash_of_file(job.folder / "frames" / (frame + ".exr")),
+                    hash_of_file(job.folder / "pov" / "materials.png"), frame,
+                    name_of(job.request.quality), job.spec.render_text));
 }
 
 // As POV-Ray had them.
@@ -34,7 +34,7 @@ render::PassMaps maps_of(const Job& job) {
 
 Made make_passes(Job& job, const render::CameraOptions& camera) {
     const render::PassOptions& options = *job.spec.render.passes;
-    const Terrain& terrain = job.land.finished();
+    const Terrain& terrain = job.land.drawn();
     const render::Shot shot = shot_of(camera, job, terrain);
     const render::View view(terrain, shot.options.water);
     job.progress.report(0.1);
@@ -72,7 +72,7 @@ Step passes_step(Job& job, const render::CameraOptions& camera) {
                         static_cast<std::uint64_t>(camera.size[1]);
     return {.name = "passes " + camera.name,
             .goal = Goal::kFrames,
-            .memory = memory::of_passes(job.cells(), pixels),
+            .memory = memory::of_passes(job.drawn_cells(), pixels),
             .key = [&job, camera] { return passes_key(job, camera.name); },
             .run = [&job, camera] { return make_passes(job, camera); }};
 }

@@ -24,7 +24,7 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
     };
     const auto run = [&job, camera, file, style]() -> Made {
         make_folder(job.folder / "frames");
-        const Terrain& terrain = job.land.finished();
+        const Terrain& terrain = job.land.drawn();
         render::ColourOptions colour = job.spec.render.colour;
         colour.exposure += camera.exposure;
         write_png(job.folder / file,
@@ -35,7 +35,7 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
     };
     return {.name = fmt::format("preview {} {}", camera.name, name_of(style)),
             .goal = Goal::kFrames,
-            .memory = memory::of_passes(job.cells(), pixels),
+            .memory = memory::of_passes(job.drawn_cells(), pixels),
             .key = key,
             .run = run};
 }

@@ -183,7 +183,7 @@ std::uint64_t pixels_of(const render::CameraOptions& camera) {
 // As many as have a core and fit into memory.
 int workers_for(const Job& job, const Sequence& sequence) {
     const std::uint64_t each =
-        memory::of_trace(job.cells(), pixels_of(sequence.shots.front().camera));
+        memory::of_trace(job.drawn_cells(), pixels_of(sequence.shots.front().camera));
     const std::uint64_t fit = std::max<std::uint64_t>(1, memory::available() / each);
     const std::uint64_t most = std::min<std::uint64_t>(fit, sequence.shots.size());
     return static_cast<int>(
@@ -270,7 +270,7 @@ void look_for_ffmpeg(Progress& progress) try {
 std::vector<Step> day_steps(Job& job) {
     const std::uint64_t pixels = pixels_of(camera_of(job));
     const std::uint64_t tracing =
-        std::max(memory::of_emit(job.cells()), memory::of_trace(job.cells(), pixels));
+        std::max(memory::of_emit(job.drawn_cells()), memory::of_trace(job.drawn_cells(), pixels));
     return {{.name = "plan day",
              .goal = Goal::kSweep,
              .memory = memory::of_export(job.cells()),

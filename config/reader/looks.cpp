@@ -146,6 +146,7 @@ void read(Table& t, LookFile& out) {
     t.field("exposure", out.exposure, Number{from(-20.0, 20.0)});
     t.table("sky", out.sky);
     t.table("haze", out.haze);
+    t.table("fine_relief", out.fine_relief);
     t.tables("layer", out.look.layers, kMostLayers, out.materials);
     t.check(t.has("layer") && !out.look.layers.empty() && !out.look.layers[0].limited(),
             {"layer"},

@@ -14,6 +14,7 @@ struct LookFile {
     render::Look look;
     render::SkyOptions sky;
     render::HazeOptions haze;
+    render::FineReliefOptions fine_relief;
     double exposure = 0.0;
     std::vector<Source> materials;  // every material's file, in the look's order
 };

@@ -19,6 +19,7 @@ void read(Table& t, NoiseOptions& noise);            // common.cpp
 void read(Table& t, render::CameraKey& key);         // render_cameras.cpp
 void read(Table& t, render::ThingOptions& thing);    // render_things.cpp
 void read(Table& t, render::CameraOptions& camera);  // render_cameras.cpp
+void read(Table& t, render::FineReliefOptions& fine);  // render.cpp
 void read(Table& t, render::SkyOptions& sky);        // render.cpp
 void read(Table& t, render::HazeOptions& haze);      // render.cpp
 void read(Table& t, render::PassOptions& passes);    // render.cpp

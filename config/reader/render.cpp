@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <set>
 
 #include "config/reader/looks.h"
@@ -8,6 +9,7 @@
 namespace cydonia::config {
 
 using render::ColourOptions;
+using render::FineReliefOptions;
 using render::GroundOptions;
 using render::HazeOptions;
 using render::Pass;
@@ -50,6 +52,7 @@ void choose_look(Table& t, render::Options& o) {
         o.ground.look = std::move(look.look);
         o.sky = look.sky;
         o.haze = look.haze;
+        o.fine_relief = look.fine_relief;
         o.colour.exposure = look.exposure;
     } catch (const Error& error) {
         t.check(false, {"look"}, error.what());
@@ -78,6 +81,18 @@ void read(Table& t, GroundOptions& ground) {
     t.check(!ground.rock_slope || (*ground.rock_slope)[0] <= (*ground.rock_slope)[1],
             {"rock_slope"},
             "the slope where rock begins must not be above the one where all is rock");
+}
+
+void read(Table& t, FineReliefOptions& fine) {
+    t.field("factor", fine.factor, Whole{1, 8}, "auto");
+    t.check(!fine.factor || std::has_single_bit(static_cast<unsigned>(*fine.factor)),
+            {"factor"}, "1, 2, 4 or 8");
+    t.field("gullies", fine.gullies, Number{from(0.0, 3.0)});
+    t.field("crags", fine.crags, Number{from(0.0, 3.0)});
+    t.field("terraces", fine.terraces, Number{from(0.0, 1.0)});
+    t.field("step", fine.step, Number{from(0.1, 1e4)});
+    t.field("craters", fine.craters, Number{from(0.0, 3.0)});
+    t.only_if(fine.terraces > 0.0, {"step"}, "terraces above 0");
 }
 
 void read(Table& t, ColourOptions& colour) {
@@ -111,6 +126,7 @@ void read(Table& t, RenderTable& out) {
     t.table("haze", o.haze);
     t.table("water", o.water);
     t.table("ground", o.ground);
+    t.table("fine_relief", o.fine_relief);
     t.check(
         !o.ground.snow_line || std::ranges::any_of(o.ground.look.layers, is_snow),
         {"ground"},

@@ -22,7 +22,7 @@ Field<Rgb> ground_albedo(const Terrain& terrain, const GroundOptions& options,
                          int detail);
 
 // How much of the sky each sample sees, 0 to 1, cosine weighted: same shape as the
-// heights. For skylight without radiosity.
+// heights, but at most 1024 samples a side. For skylight without radiosity.
 Field<float> sky_visibility(const Field<float>& heights, double spacing);
 
 }  // namespace cydonia::render

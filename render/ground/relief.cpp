@@ -16,20 +16,23 @@ constexpr double kBeach = 50.0;
 // Box means of (2 * radius + 1)^2 samples, clamped at the edges.
 Field<float> blurred(const Field<float>& field, int radius) {
     if (radius < 1) return field;
-    const auto pass = [radius](const Field<float>& in, int dx, int dy) {
-        Field<float> out(in.width(), in.height());
+    const auto pass = [radius](const Field<float>& in) {  // along rows, then turned
+        Field<float> out(in.height(), in.width());
         parallel_for(in.height(), 16, [&](int y) {
+            const auto row = in.row(y);
+            const auto at = [&](int x) {
+                return double(row[std::size_t(std::clamp(x, 0, in.width() - 1))]);
+            };
+            double sum = 0.0;
+            for (int i = -radius; i <= radius; ++i) sum += at(i);
             for (int x = 0; x < in.width(); ++x) {
-                double sum = 0.0;
-                for (int i = -radius; i <= radius; ++i)
-                    sum += in(std::clamp(x + i * dx, 0, in.width() - 1),
-                              std::clamp(y + i * dy, 0, in.height() - 1));
-                out(x, y) = static_cast<float>(sum / (2 * radius + 1));
+                out(y, x) = static_cast<float>(sum / (2 * radius + 1));
+                sum += at(x + radius + 1) - at(x - radius);
             }
         });
         return out;
     };
-    return pass(pass(field, 1, 0), 0, 1);
+    return pass(pass(field));
 }
 
 struct Rise {

@@ -1,12 +1,29 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "field/image.h"
 #include "field/parallel.h"
 #include "render/ground/ground.h"
 
 namespace cydonia::render {
 
+namespace {
+
+constexpr int kLongestSide = 1024;
+
+}  // namespace
+
 Field<float> sky_visibility(const Field<float>& heights, double spacing) {
+    const int longest = std::max(heights.width(), heights.height());
+    if (longest > kLongestSide) {
+        const auto side = [&](int samples) {
+            return std::max(1, samples * kLongestSide / longest);
+        };
+        return sky_visibility(
+            resized(heights, side(heights.width()), side(heights.height())),
+            spacing * longest / kLongestSide);
+    }
     constexpr int kAzimuths = 16;
     constexpr double kFarthest = 160.0;  // cells; beyond, hills are low
     Field<float> visible(heights.width(), heights.height());

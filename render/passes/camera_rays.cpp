@@ -9,8 +9,8 @@ CameraRays::CameraRays(const Camera& camera)
       pixel_(pixel_side(camera)) {}
 
 Ray CameraRays::through(double x, double y) const {
-    const Vec3 aside =
-        pixel_ * (x - 0.5 * width_) * axes_.right + pixel_ * (0.5 * height_ - y) * axes_.up;
+    const Vec3 aside = pixel_ * (x - 0.5 * width_) * axes_.right +
+                       pixel_ * (0.5 * height_ - y) * axes_.up;
     if (parallel_) return {axes_.eye + aside, axes_.forward};
     return {axes_.eye, normalized(axes_.forward + aside)};
 }

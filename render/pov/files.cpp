@@ -1,5 +1,6 @@
 // The folder of a .pov: flat, as POV-Ray's file security wants it.
 #include <fmt/core.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +20,31 @@ namespace fs = std::filesystem;
 
 constexpr int kLongestGround = 4096;  // pixels a side
 constexpr int kDomeHeight = 256;
+constexpr int kPacked = 1;  // POV-Ray reads it once
 
-std::uint8_t srgb8(float linear) {
-    const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-    const double encoded =
-        v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+// Of linear light in 65536 steps, the finest a twentieth of a level.
+const std::vector<std::uint8_t>& srgb_levels() {
+    static const std::vector<std::uint8_t> levels = [] {
+        std::vector<std::uint8_t> result(65536);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            const double v = static_cast<double>(i) / 65535.0;
+            const double encoded =
+                v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+            result[i] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+        }
+        return result;
+    }();
+    return levels;
 }
 
 Field<Rgb8> srgb(const Field<Rgb>& linear) {
     Field<Rgb8> result(linear.width(), linear.height());
+    const std::vector<std::uint8_t>& levels = srgb_levels();
     parallel_for(linear.height(), 8, [&](int y) {
         for (int x = 0; x < linear.width(); ++x)
-            for (std::size_t c = 0; c < 3; ++c) result(x, y)[c] = srgb8(linear(x, y)[c]);
+            for (std::size_t c = 0; c < 3; ++c)
+                result(x, y)[c] = levels[static_cast<std::size_t>(
+                    65535.0f * std::clamp(linear(x, y)[c], 0.0f, 1.0f) + 0.5f)];
     });
     return result;
 }
@@ -83,13 +96,20 @@ Pause_When_Done=Off
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
                                           const Options& options, Quality quality) {
-    write_png(folder / "heights.png", quantised(terrain.heights).levels);
     const GroundMap ground =
         ground_map(terrain, options.ground, ground_detail(terrain.heights, quality));
-    write_png(folder / "ground.png", srgb(ground.albedo));
-    write_png(folder / "materials.png", ground.materials);
-    write_png(folder / "sky_visibility.png",
-              levels_of(sky_visibility(terrain.heights, terrain.spacing)));
+    // Each in its own thread: packing is most of the work.
+    tbb::parallel_invoke(
+        [&] {
+            write_png(folder / "heights.png", quantised(terrain.heights).levels, kPacked);
+        },
+        [&] { write_png(folder / "ground.png", srgb(ground.albedo), kPacked); },
+        [&] { write_png(folder / "materials.png", ground.materials, kPacked); },
+        [&] {
+            write_png(folder / "sky_visibility.png",
+                      levels_of(sky_visibility(terrain.heights, terrain.spacing)),
+                      kPacked);
+        });
     std::vector<std::string> names{"heights.png", "ground.png", "materials.png",
                                    "sky_visibility.png"};
     if (const auto water = water_surface(terrain)) {

@@ -1,0 +1,99 @@
+#include "render/fine_relief/gullies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/parallel.h"
+#include "field/random.h"
+
+namespace cydonia::render {
+namespace {
+
+constexpr float kCell = 1.3f;   // wavelengths between the stripes' origins
+constexpr float kReach = 1.5f;  // cells that an origin's stripes reach
+constexpr float kLeast = 0.14f, kMost = 0.75f;  // slopes with no gullies, with full ones
+
+// cos and sin of 2 pi x, to 2e-4.
+struct Wave {
+    float c, s;
+};
+float sine_of_turns(float x) {
+    x -= std::floor(x + 0.5f);  // -0.5 to 0.5
+    const float y = x * (8.0f - 16.0f * std::fabs(x));
+    return y * (0.776f + 0.224f * std::fabs(y));
+}
+Wave wave(float turns) { return {sine_of_turns(turns + 0.25f), sine_of_turns(turns)}; }
+
+struct Origin {
+    float x, y;
+};
+
+// One for every lattice cell, and one cell around them.
+Field<Origin> origins(int across, int down, std::uint64_t seed) {
+    Field<Origin> result(across + 2, down + 2);
+    for (int j = 0; j < result.height(); ++j)
+        for (int i = 0; i < result.width(); ++i) {
+            const std::uint64_t h =
+                hash_of({seed, key("gully"), static_cast<std::uint64_t>(i),
+                         static_cast<std::uint64_t>(j)});
+            result(i, j) = {static_cast<float>(i - 1 + unit(h)),
+                            static_cast<float>(j - 1 + unit(mix(h)))};
+        }
+    return result;
+}
+
+}  // namespace
+
+Field<float> gullies(const Field<float>& heights, double spacing, double wavelength,
+                     std::uint64_t seed) {
+    const int width = heights.width(), height = heights.height();
+    const auto lattice = static_cast<float>(spacing / (kCell * wavelength));
+    const Field<Origin> from =
+        origins(static_cast<int>(lattice * static_cast<float>(width)) + 1,
+                static_cast<int>(lattice * static_cast<float>(height)) + 1, seed);
+    // A slope over half a wavelength: what is finer has no say in where water runs.
+    const int step =
+        std::max(1, static_cast<int>(std::lround(0.25 * wavelength / spacing)));
+    const auto per_metre = static_cast<float>(0.5 / (step * spacing));
+    Field<float> result(width, height);
+    parallel_for(height, 8, [&](int y) {
+        const int north = std::max(y - step, 0), south = std::min(y + step, height - 1);
+        for (int x = 0; x < width; ++x) {
+            const float east_rise = (heights(std::min(x + step, width - 1), y) -
+                                     heights(std::max(x - step, 0), y)) *
+                                    per_metre;
+            const float south_rise = (heights(x, south) - heights(x, north)) * per_metre;
+            const float slope =
+                std::sqrt(east_rise * east_rise + south_rise * south_rise);
+            if (slope <= kLeast) continue;
+            // Across the fall, in turns a lattice cell.
+            const float ax = -south_rise / slope * kCell, ay = east_rise / slope * kCell;
+            const float px = (static_cast<float>(x) + 0.5f) * lattice;
+            const float py = (static_cast<float>(y) + 0.5f) * lattice;
+            const int i = static_cast<int>(px), j = static_cast<int>(py);
+            float c = 0.0f, s = 0.0f;
+            for (int dj = 0; dj < 3; ++dj)
+                for (int di = 0; di < 3; ++di) {
+                    const Origin& o = from(i + di, j + dj);
+                    const float vx = px - o.x, vy = py - o.y;
+                    const float near =
+                        1.0f - (vx * vx + vy * vy) * (1.0f / (kReach * kReach));
+                    if (near <= 0.0f) continue;
+                    const Wave w = wave(vx * ax + vy * ay);
+                    c += near * near * w.c;
+                    s += near * near * w.s;
+                }
+            const float length = std::sqrt(c * c + s * s);
+            if (length <= 0.0f) continue;
+            const float u = c / length;
+            // Ribs are sharper than the gullies between them.
+            const float sharp = 1.0f - 2.0f * std::sqrt(std::max(0.0f, 0.5f - 0.5f * u));
+            const float t = std::min(1.0f, (slope - kLeast) / (kMost - kLeast));
+            result(x, y) = t * t * (3.0f - 2.0f * t) * std::min(1.0f, 4.0f * length) *
+                           (0.5f * u + 0.5f * sharp);
+        }
+    });
+    return result;
+}
+
+}  // namespace cydonia::render
