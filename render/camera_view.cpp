@@ -63,6 +63,27 @@ bool over_land(const Terrain& t, const Vec3& p) {
     return p.x >= 0.0 && p.y >= 0.0 && p.x <= t.width() && p.y <= t.depth();
 }
 
+namespace {
+
+bool meets_sea(const Terrain& t) {
+    const int right = t.heights.width() - 1, bottom = t.heights.height() - 1;
+    const auto wet = [&](int x, int y) {
+        return water_depth(t, t.heights.index(x, y)) > 0.0f;
+    };
+    for (int x = 0; x <= right; ++x)
+        if (wet(x, 0) || wet(x, bottom)) return true;
+    for (int y = 0; y <= bottom; ++y)
+        if (wet(0, y) || wet(right, y)) return true;
+    return false;
+}
+
+}  // namespace
+
+Around around_of(const Terrain& t, const Options& options) {
+    if (options.ground.around) return *options.ground.around;
+    return t.shadows.empty() && !meets_sea(t) ? Around::kLand : Around::kLevel;
+}
+
 double outskirts_height(const Terrain& t) {
     const int w = t.heights.width(), h = t.heights.height();
     float lowest = t.heights(0, 0);

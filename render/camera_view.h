@@ -16,6 +16,8 @@ Terrain surface_of(const Terrain& terrain, const std::optional<WaterOptions>& fl
 // The height of the mesh over a place; of its border outside.
 double ground_at(const Terrain& terrain, double east, double north);
 bool over_land(const Terrain& terrain, const Vec3& point);
+// What lies around the land.
+Around around_of(const Terrain& terrain, const Options& options);
 // Of the level country around the land: that of its lowest border.
 double outskirts_height(const Terrain& terrain);
 

@@ -5,6 +5,7 @@
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
+#include "render/camera_view.h"
 #include "render/cameras.h"
 #include "render/pov/scene.h"
 
@@ -59,7 +60,8 @@ render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
         render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water),
         chosen_sun(camera, job.spec.render, terrain),
         job.spec.render,
-        job.request.quality};
+        job.request.quality,
+        render::around_of(terrain, job.spec.render)};
 }
 
 Step assets_step(Job& job) {

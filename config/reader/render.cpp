@@ -21,6 +21,10 @@ namespace {
 
 constexpr std::size_t kMostCameras = 64;
 
+constexpr Name<render::Around> kAround[] = {
+    {"level", render::Around::kLevel},
+    {"land", render::Around::kLand},
+};
 constexpr Name<render::Clouds> kClouds[] = {
     {"none", render::Clouds::kNone},
     {"cirrus", render::Clouds::kCirrus},
@@ -76,6 +80,7 @@ void read(Table& t, HazeOptions& haze) {
 void read(Table& t, WaterOptions& water) { t.field("level", water.level, LengthUnit{}); }
 
 void read(Table& t, GroundOptions& ground) {
+    t.field("around", ground.around, one_of(kAround));
     t.field("snow_line", ground.snow_line, LengthUnit{});
     t.field("rock_slope", ground.rock_slope, Degrees{from(0.0, 90.0)});
     t.check(!ground.rock_slope || (*ground.rock_slope)[0] <= (*ground.rock_slope)[1],

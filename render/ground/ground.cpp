@@ -39,8 +39,8 @@ Form between(const Form& a, const Form& b, double t) {
     const auto f = static_cast<float>(t);
     return {a.height + f * (b.height - a.height), a.slope + f * (b.slope - a.slope),
             a.north + f * (b.north - a.north),    a.hollow + f * (b.hollow - a.hollow),
-            a.wet + f * (b.wet - a.wet),          a.shore + f * (b.shore - a.shore),
-            a.level + f * (b.level - a.level)};
+            a.cavity + f * (b.cavity - a.cavity), a.wet + f * (b.wet - a.wet),
+            a.shore + f * (b.shore - a.shore),    a.level + f * (b.level - a.level)};
 }
 
 Form bilinear(const Field<Form>& forms, double x, double y) {
@@ -75,7 +75,7 @@ Look with_overrides(const GroundOptions& options, double width) {
 struct Point {
     double east, south;  // metres
     Form form;
-    double wide, fine;  // noise
+    double wide, fine, finest;  // noise
 };
 
 class Painter {
@@ -87,17 +87,24 @@ class Painter {
           // Of metres where land is of kilometres; on wider land wider.
           wide_(std::min(std::max(200.0, terrain.width() / 75.0), terrain.width() / 4.0)),
           // Finer than two pixels noise would be another one for every number of them.
-          fine_(std::clamp(0.1 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)) {
+          fine_(std::clamp(0.1 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)),
+          finest_(std::clamp(0.035 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)) {
         for (const Layer& layer : look_.layers) masks_.push_back(mask_of(layer));
     }
 
     // At a point of the grid, in cells: the colour, and which material is most of it.
     std::pair<Rgb, std::uint8_t> at(double x, double y) const {
-        Point p{(x + 0.5) * terrain_.spacing, (y + 0.5) * terrain_.spacing,
-                bilinear(relief_.forms, x, y), 0.0, 0.0};
+        Point p{(x + 0.5) * terrain_.spacing,
+                (y + 0.5) * terrain_.spacing,
+                bilinear(relief_.forms, x, y),
+                0.0,
+                0.0,
+                0.0};
         p.wide = texture_noise(p.east, p.south, wide_, kSeed);
         if (fine_ > 0.0)
             p.fine = fine_ * texture_noise(p.east, p.south, 0.1 * wide_, kSeed + 1);
+        if (finest_ > 0.0)
+            p.finest = finest_ * texture_noise(p.east, p.south, 0.035 * wide_, kSeed + 3);
 
         Rgb colour{};
         std::size_t top = 0;
@@ -170,7 +177,8 @@ class Painter {
         if (t < -0.8) return 0.0;
         if (layer.patches < 1.0) hold(patch(i, p));
         if (t < -0.8) return 0.0;
-        t += 0.45 * texture_noise(p.east, p.south, wide_, kSeed + 100 + i) + 0.3 * p.fine;
+        t += 0.45 * texture_noise(p.east, p.south, wide_, kSeed + 100 + i) +
+             0.3 * p.fine + 0.2 * p.finest;
         const double edge = std::max(0.5 * layer.soft, 0.01);
         return layer.amount * smoothstep(0.5 - edge, 0.5 + edge, t);
     }
@@ -200,7 +208,9 @@ class Painter {
         const Material& m = look_.materials[index];
         const double patches =
             texture_noise(p.east, p.south, m.variation, kSeed + 300 + 2 * index);
-        double shade = 0.5 + 0.45 * patches + m.grain * p.fine;
+        // Edges are clean, gullies hold dirt and damp.
+        double shade = 0.5 + 0.45 * patches + m.grain * (p.fine + 0.8 * p.finest) -
+                       0.4 * p.form.cavity;
         Rgb light = m.light, dark = m.dark;
         double bedded = 0.0;
         Rgb bed{};
@@ -263,7 +273,7 @@ class Painter {
     const Terrain& terrain_;
     Look look_;
     Relief relief_;
-    double wide_, fine_;
+    double wide_, fine_, finest_;
     std::vector<const Field<float>*> masks_;
 };
 

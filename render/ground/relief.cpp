@@ -129,6 +129,10 @@ Relief relief_of(const Terrain& terrain, bool wetness) {
     };
     const Field<float> near = blurred(h, cells(15.0) / 2);
     const Field<float> far = blurred(h, std::max(1, cells(45.0)));
+    const int edge = std::max(1, cells(30.0));
+    const Field<float> beside = blurred(h, edge);
+    // A slope that turns by this much over the width is sharp.
+    const double sharp = 0.12 * (edge + 0.5) * spacing;
     const Field<float> around = blurred(h, std::max(1, cells(120.0)));
     Relief r;
     r.forms = Field<Form>(h.width(), h.height());
@@ -142,6 +146,8 @@ Relief relief_of(const Terrain& terrain, bool wetness) {
             form.height = h(x, y);
             form.slope = static_cast<float>(std::atan(mixed));
             form.north = static_cast<float>(-rise.north / std::hypot(1.0, steep));
+            form.cavity = static_cast<float>(
+                std::clamp((beside(x, y) - h(x, y)) / sharp, -1.0, 1.0));
             form.hollow = around(x, y) - h(x, y);
         }
     });

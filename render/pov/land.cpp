@@ -30,17 +30,33 @@ constexpr const char* kDeepGround =
     R"(    texture { pigment { color rgb 0 } } // under the sea
 )";
 
-constexpr const char* kFadingGround =
-    R"(    // It thins out until the sky's horizon, which goes on below, is all that is left.
-    texture {
-        spherical
-        texture_map {
-            [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
-            [0.6 MeanGround ]
-        }
-        scale 1.15 * LandSize / Unit
-        translate Middle
-    }
+constexpr const char* kSidesAlone = R"(object { Sides }
+#declare Around = 0; // lands on each side of the land
+)";
+
+// Without shadows of their own: the land's must be those that were checked.
+constexpr const char* kLandAround =
+    R"(#declare Around = 2; // lands on each side of the land
+// The land again, mirrored at its borders so that none shows. Only the land itself throws
+// shadows.
+#declare Mirrored = function(Lands) { 1 - 2 * mod(abs(Lands), 2) };
+#macro Again(Piece)
+    #for (I, -Around, Around)
+        #for (J, -Around, Around)
+            #if (I != 0 | J != 0)
+                object { Piece
+                    translate -At(LandWidth / 2, LandDepth / 2, 0)
+                    scale <Mirrored(I), 1, Mirrored(J)>
+                    translate At(LandWidth / 2 + I * (LandWidth - Spacing),
+                                 LandDepth / 2 + J * (LandDepth - Spacing), 0)
+                    no_shadow
+                }
+            #end
+        #end
+    #end
+#end
+Again(object { Land texture { Ground } })
+Again(Sides)
 )";
 
 constexpr const char* kGroundUnderVisibility =
@@ -158,6 +174,7 @@ object {{ Land texture {{ Ground }} }}
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea) {
     const char* skylight =
         has_radiosity(shot.quality) ? "" : " finish { emission SkyLight * SkyFill }";
+    const bool goes_on = shot.around == Around::kLand;
     return fmt::format(
         R"(// Around the land: its sides, and level country of the ground's mean colour at the height
 // of the lowest border, so that no view ends in nothing.
@@ -171,27 +188,26 @@ std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea
     #end
 #end
 #declare MeanGround = texture {{ pigment {{ color MeanColour }}{} }}
-box {{
+#declare Sides = box {{
     At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
     At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
     clipped_by {{ Land }}
     texture {{ MeanGround }}
 }}
-plane {{
+{}plane {{
     y, OutskirtsHeight / Unit
     clipped_by {{
         box {{
-            At(Spacing / 2, Spacing / 2, -1e6),
-            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
+            At((Around + 1) * LandWidth - Spacing / 2,
+               (Around + 1) * LandDepth - Spacing / 2, 1e6)
             inverse
         }}
     }}
 {}}}
 )",
-        number(lowest_border(heights)), skylight,
-        under_sea        ? kDeepGround
-        : has_haze(shot) ? kFadingGround
-                         : "    texture { MeanGround }\n");
+        number(lowest_border(heights)), skylight, goes_on ? kLandAround : kSidesAlone,
+        under_sea ? kDeepGround : "    texture { MeanGround }\n");
 }
 
 }  // namespace cydonia::render::pov

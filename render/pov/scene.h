@@ -21,6 +21,7 @@ struct Shot {
     Sun sun;
     Options options;
     Quality quality = Quality::kPreview;
+    Around around = Around::kLevel;
 };
 
 // The .pov as text, commented, to run with plain `povray` in the folder of its assets.

@@ -124,7 +124,10 @@ plane {{
     y, WaterLevel / Unit
     #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
         clipped_by {{
-            box {{ At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }}
+            box {{
+                At(-Around * LandWidth, -Around * LandDepth, -1e6),
+                At((Around + 1) * LandWidth, (Around + 1) * LandDepth, 1e6)
+            }}
         }}
     #end
     texture {{ Water }}
@@ -151,7 +154,7 @@ std::string water(const Shot& shot, const WaterSurface& surface) {
 
 // Their surface is at its level where they are and under the land beside the shore, which
 // hides it; elsewhere it is cut away.
-height_field {{
+#declare Lakes = height_field {{
     png "water.png" gamma 1.0 water_level 0.5 / 65535
     scale At(LandWidth - Spacing, LandDepth - Spacing, {})
     translate At(Spacing / 2, Spacing / 2, {})
@@ -159,9 +162,11 @@ height_field {{
     interior {{ InWater }}
     no_shadow
 }}
-)",
+object {{ Lakes }}
+{})",
                waves(shot.camera), skylight(shot), number(surface.heights.range),
-               number(surface.heights.base)) +
+               number(surface.heights.base),
+               shot.around == Around::kLand ? "Again(Lakes)\n" : "") +
            (surface.sea ? open_sea(*surface.sea) : "");
 }
 
