@@ -5,6 +5,7 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "render/ground/texture_noise.h"
 
 namespace cydonia::render {
 namespace {
@@ -89,8 +90,13 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             // Ribs are sharper than the gullies between them.
             const float sharp = 1.0f - 2.0f * std::sqrt(std::max(0.0f, 0.5f - 0.5f * u));
             const float t = std::min(1.0f, (slope - kLeast) / (kMost - kLeast));
-            result(x, y) = t * t * (3.0f - 2.0f * t) * std::min(1.0f, 4.0f * length) *
-                           (0.5f * u + 0.5f * sharp);
+            // Deep in some places, faint in others.
+            const auto deep = static_cast<float>(std::clamp(
+                0.6 + 0.9 * texture_noise((x + 0.5) * spacing, (y + 0.5) * spacing,
+                                          7.0 * wavelength, seed),
+                0.1, 1.4));
+            result(x, y) = deep * t * t * (3.0f - 2.0f * t) *
+                           std::min(1.0f, 2.0f * length) * (0.5f * u + 0.5f * sharp);
         }
     });
     return result;
