@@ -5,6 +5,7 @@
 #include "config/reader/looks.h"
 #include "config/reader/readers.h"
 #include "field/error.h"
+#include "field/primaries.h"
 
 namespace cydonia::config {
 
@@ -69,12 +70,16 @@ void read(Table& t, SkyOptions& sky) {
     t.field("turbidity", sky.turbidity, Number{from(1.9, 10.0)});
     t.field("fill", sky.fill, Number{from(0.0, 10.0)});
     t.field("ground_albedo", sky.ground_albedo, Number{from(0.0, 1.0)});
+    t.field("air", sky.air, Flag{});
+    t.field("dust", sky.dust, Number{from(0.0, 1.0)});
+    if (sky.dust) sky.dust = rec709_from_acescg(*sky.dust);
     t.field("clouds", sky.clouds, one_of(kClouds));
+    t.field("cloud_shadows", sky.cloud_shadows, Flag{}, "auto");
     t.field("moon", sky.moon, Number{from(0.0, 1.0)});
 }
 
 void read(Table& t, HazeOptions& haze) {
-    t.field("visibility", haze.visibility, LengthUnit{at_least(0.0)});
+    t.field("visibility", haze.visibility, LengthUnit{at_least(0.0)}, "auto");
 }
 
 void read(Table& t, WaterOptions& water) { t.field("level", water.level, LengthUnit{}); }

@@ -10,7 +10,7 @@
 namespace cydonia::render {
 namespace {
 
-constexpr double kBright = 0.6;
+constexpr double kBright = 0.5;
 constexpr double kShareBelowBright = 0.9;
 constexpr double kMostStops = 6.0;
 

@@ -6,7 +6,7 @@
 
 namespace cydonia::render {
 
-// EV that a frame of ACEScg gets by itself: its 90th percentile of light is shown as 0.6
+// EV that a frame of ACEScg gets by itself: its 90th percentile of light is shown as 0.5
 // of white before the view, six stops up or down at most. 0 for a black frame.
 double own_stops(const Field<Rgb>& acescg);
 

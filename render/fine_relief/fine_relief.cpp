@@ -17,7 +17,7 @@ namespace cydonia::render {
 namespace {
 
 // Metres a metre of wavelength.
-constexpr double kGullies = 0.07, kCrags = 0.045;
+constexpr double kGullies = 0.06, kCrags = 0.045;
 constexpr int kMostFactor = 8;
 constexpr double kLeastCells = 4.0;  // of a wavelength
 // The mean square rise between samples k and 2k apart grows by 2^(2H); of real mountains

@@ -13,6 +13,7 @@ namespace {
 constexpr float kCell = 1.3f;   // wavelengths between the stripes' origins
 constexpr float kReach = 1.5f;  // cells that an origin's stripes reach
 constexpr float kLeast = 0.14f, kMost = 0.75f;  // slopes with no gullies, with full ones
+constexpr float kWall = 1.1f, kSheer = 3.0f;    // where they fade to half: water falls
 
 // cos and sin of 2 pi x, to 2e-4.
 struct Wave {
@@ -95,7 +96,8 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
                 0.6 + 0.9 * texture_noise((x + 0.5) * spacing, (y + 0.5) * spacing,
                                           7.0 * wavelength, seed),
                 0.1, 1.4));
-            result(x, y) = deep * t * t * (3.0f - 2.0f * t) *
+            const float wall = std::clamp((slope - kWall) / (kSheer - kWall), 0.0f, 1.0f);
+            result(x, y) = (1.0f - 0.6f * wall) * deep * t * t * (3.0f - 2.0f * t) *
                            std::min(1.0f, 2.0f * length) * (0.5f * u + 0.5f * sharp);
         }
     });

@@ -15,6 +15,9 @@
 namespace cydonia::render {
 namespace {
 
+// Wet sand is about half as bright (Lekner and Dorf 1988).
+constexpr double kWet = 0.45;
+
 constexpr std::uint64_t kSeed = 0x6c616e64;
 
 double smoothstep(double low, double high, double x) {
@@ -124,6 +127,7 @@ class Painter {
                 lay(*look_.bed, washed * (1.0 - rocky) * smoothstep(2.0, 25.0, depth), p,
                     colour, top, of_top);
         }
+        if (washed > 0.0) colour = scaled(colour, 1.0 - kWet * wetted_at(p));
         if (relief_.water && p.form.shore > 0.0f)
             colour = seen_through(std::max(0.0f, p.form.level - p.form.height), colour);
         return {colour, static_cast<std::uint8_t>(top)};
@@ -195,6 +199,12 @@ class Painter {
         const double noise =
             texture_noise(p.east, p.south, layer.patch_size, kSeed + 200 + i);
         return 0.5 + 2.5 * (noise + 0.2 * std::log(share / (1.0 - share)));
+    }
+
+    // 1 under water and as far up as the last wave left the ground wet.
+    double wetted_at(const Point& p) const {
+        const double above = p.form.height - p.form.level;
+        return p.form.shore * smoothstep(1.8 + p.fine, 0.4 + p.fine, above);
     }
 
     // 1 where waves reach, 0 above.

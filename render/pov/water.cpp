@@ -76,10 +76,14 @@ namespace {
 // Waves of three lengths, without those that are too small to be seen.
 std::string waves(const Camera& camera) {
     std::string lengths;
-    for (const int metres : {3, 17, 70})
-        if (metres > pixel_size(camera))
+    constexpr struct {
+        int metres;
+        double bump;
+    } kWaves[] = {{3, 0.04}, {17, 0.02}, {70, 0.008}};
+    for (const auto& [metres, bump] : kWaves)
+        if (metres > 2.0 * pixel_size(camera))
             lengths +=
-                fmt::format("            [1 bumps 0.05 scale {} / Unit ]\n", metres);
+                fmt::format("            [1 bumps {} scale {} / Unit ]\n", bump, metres);
     if (lengths.empty()) return "";
     return fmt::format(
         "    normal {{\n        average normal_map {{\n{}        }}\n    }}\n", lengths);
