@@ -203,7 +203,7 @@ TEST(Passes, ShadowIsTheCasters) {
     camera.width = camera.height = 2 * kSide;
     const Field<SeenPoint> points = view.seen(CameraRays(camera), false);
     const Sun sun = sun_at(300.0, 20.0);
-    const Mask seen = view.shadow(points, sun);
+    const Field<float> seen = view.shadow(points, sun, View::SunAs::kPoint);
     const Mask cast = Caster(view.terrain().heights, kSpacing).shadow(sun, 2);
     ASSERT_GT(area(cast), cast.size() / 10);
     // Every other sample: the rest lie on the squares' diagonals, where a crest's two
@@ -211,7 +211,7 @@ TEST(Passes, ShadowIsTheCasters) {
     int differ = 0;
     for (int y = 2; y + 2 < cast.height(); ++y)
         for (int x = 2 + (y + 1) % 2; x + 2 < cast.width(); x += 2)
-            differ += seen(x, y) != cast(x, y);
+            differ += seen(x, y) != float(cast(x, y));
     EXPECT_LT(differ, static_cast<int>(cast.size() / 1000));
 }
 
@@ -241,8 +241,8 @@ TEST(Passes, WaterIsSeenBeforeItsBed) {
     EXPECT_EQ(points(5, 40).surface, Surface::kWater);
     EXPECT_NEAR(points(5, 40).at[2], 400.0, 0.1);
     EXPECT_EQ(points(40, 40).surface, Surface::kLand);
-    const Field<SeenPoint> flooded =
-        View(hills(), WaterOptions{metres(100.0)}).seen(CameraRays(overhead()), true);
+    const Field<SeenPoint> flooded = View(hills(), {.flood = WaterOptions{metres(100.0)}})
+                                         .seen(CameraRays(overhead()), true);
     EXPECT_EQ(flooded(2, 2).surface, Surface::kWater);
     EXPECT_EQ(flooded(57, 43).surface, Surface::kLand);
 }

@@ -80,7 +80,7 @@ TEST(PovScene, ObliquePreview) {
 }
 TEST(PovScene, OrbitDraftWithoutHaze) {
     Shot shot = shot_of(Kind::kOrbit, Quality::kDraft);
-    shot.options.haze.visibility = {};
+    shot.options.haze.visibility = metres(0.0);
     expect_golden("orbit_draft_clear", text_of(shot));
 }
 TEST(PovScene, LookAtFinalWithWater) {
@@ -365,7 +365,7 @@ TEST_F(PovFolder, WhiteGroundSendsBackTheSun) {
 TEST_F(PovFolder, SkyIsBrightestAroundTheSun) {
     Shot shot = shot_of(Kind::kLookAt, Quality::kDraft);
     shot.sun = {radians(60.0), radians(20.0)};
-    shot.options.haze.visibility = {};
+    shot.options.haze.visibility = metres(0.0);
     Terrain flat;
     flat.spacing = kSpacing;
     flat.heights = Field<float>(kSide, kSide, 0.0f);
