@@ -117,7 +117,8 @@ void read(Table& t, PassOptions& passes) {
         {"depth", Pass::kDepth},   {"position", Pass::kPosition},
         {"normal", Pass::kNormal}, {"height", Pass::kHeight},
         {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
-        {"shadow", Pass::kShadow}, {"sky", Pass::kSky}};
+        {"thing", Pass::kThing},   {"shadow", Pass::kShadow},
+        {"sky", Pass::kSky}};
     t.field("which", passes.which, one_of(kNames));
     const std::set<Pass> different(passes.which.begin(), passes.which.end());
     t.check(!different.empty() && different.size() == passes.which.size(), {"which"},

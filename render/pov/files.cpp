@@ -9,8 +9,10 @@
 #include "field/files.h"
 #include "field/parallel.h"
 #include "render/ground/ground.h"
+#include "render/pov/pieces.h"
 #include "render/pov/scene.h"
 #include "render/pov/things.h"
+#include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
@@ -20,7 +22,9 @@ namespace fs = std::filesystem;
 
 constexpr int kLongestGround = 4096;  // pixels a side
 constexpr int kDomeHeight = 256;
-constexpr int kPacked = 1;  // POV-Ray reads it once
+constexpr int kShade = 2048;                   // pixels a side
+constexpr double kLowestShade = radians(3.0);  // of the sun: lower, they are endless
+constexpr int kPacked = 1;                     // POV-Ray reads it once
 
 // Of linear light in 65536 steps, the finest a twentieth of a level.
 const std::vector<std::uint8_t>& srgb_levels() {
@@ -92,6 +96,34 @@ Pause_When_Done=Off
                        antialiasing(shot.quality));
 }
 
+// POV-Ray's fog lies over the sky too.
+Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
+    Field<Rgb> dome = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
+    if (!pov::has_haze(shot)) return dome;
+    const double eye = shot.camera.eye.z - std::ranges::min(terrain.heights);
+    return behind_haze(dome, pov::haze_light(shot),
+                       visibility(shot.options.sky, shot.options.haze, terrain.width()),
+                       eye);
+}
+
+// Above all land, as wide as what is near it, and as far toward the sun as its shadows
+// reach.
+std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terrain) {
+    const SkyOptions& sky = shot.options.sky;
+    const bool wanted = sky.cloud_shadows.value_or(terrain.shadows.empty());
+    if (!wanted || !sky.air || sky.clouds != Clouds::kBroken ||
+        shot.sun.elevation < kLowestShade)
+        return std::nullopt;
+    const auto [low, high] = std::ranges::minmax(terrain.heights);
+    const double up = static_cast<double>(high) - low + 200.0;
+    const Vec3 to_sun = direction_to(shot.sun);
+    const double reach = up / to_sun.z;
+    return pov::CloudShade{
+        shot.name,
+        {reach * to_sun.x, reach * to_sun.y, up},
+        5.0 * std::max(terrain.width(), terrain.depth()) + 2.0 * reach};
+}
+
 }  // namespace
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
@@ -121,10 +153,16 @@ std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain&
 
 std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& shot,
                                          const Terrain& terrain) {
-    const std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
-                                        water_surface(terrain));
-    write_exr(folder / ("sky_" + shot.name + ".exr"),
-              sky_dome(shot.sun, shot.options.sky, kDomeHeight));
+    std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
+                                  water_surface(terrain));
+    write_exr(folder / ("sky_" + shot.name + ".exr"), dome_of(shot, terrain));
+    const auto shade = cloud_shade(shot, terrain);
+    if (shade) {
+        scene += pov::cloud_shade(*shade);
+        write_png(folder / ("clouds_" + shot.name + ".png"),
+                  levels_of(cloud_shadows(shot.sun, shade->middle, shade->size, kShade)),
+                  kPacked);
+    }
     const std::string things = pov::things(shot, terrain);
     write_text(folder / (shot.name + ".pov"),
                things.empty()
@@ -133,6 +171,7 @@ std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& sho
     write_text(folder / (shot.name + ".ini"), ini(shot));
     std::vector<std::string> names{"sky_" + shot.name + ".exr", shot.name + ".pov",
                                    shot.name + ".ini"};
+    if (shade) names.push_back("clouds_" + shot.name + ".png");
     if (!things.empty()) {
         names.push_back("things_" + shot.name + ".inc");
         write_text(folder / names.back(), things);

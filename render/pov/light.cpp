@@ -1,9 +1,11 @@
 // Light, air and how they are traced.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/pov/pieces.h"
+#include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render::pov {
@@ -27,7 +29,21 @@ std::string radiosity(Quality quality) {
 
 }  // namespace
 
-std::string light_numbers(const Shot& shot) {
+Rgb haze_light(const Shot& shot) {
+    constexpr double kBeyond = 2.0;  // what is behind the subject
+    const Vec3 view = shot.camera.target - shot.camera.eye;
+    return air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
+                     shot.camera.field_of_view,
+                     std::clamp(kBeyond * length(view), 5e3, 80e3));
+}
+
+bool has_stars(const Shot& shot) {
+    return shot.options.sky.moon > 0.0 && shot.options.sky.air &&
+           shot.options.sky.clouds == Clouds::kNone &&
+           shot.camera.projection == Camera::Projection::kPerspective;
+}
+
+std::string light_numbers(const Shot& shot, double land_width) {
     const Daylight light = daylight(shot.sun, shot.options.sky);
     std::string text = fmt::format(
         R"(// The sun, in degrees: clockwise from north, and above the horizon. The light's colours
@@ -40,18 +56,15 @@ std::string light_numbers(const Shot& shot) {
 )",
         number(degrees(shot.sun.azimuth)), number(degrees(shot.sun.elevation)),
         numbers(light.sun), numbers(light.sky), number(shot.options.sky.fill));
-    if (has_haze(shot)) {
-        const Length visibility = shot.options.haze.visibility;
-        const Vec3 view = shot.camera.target - shot.camera.eye;
-        const Rgb air = air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
-                                  shot.camera.field_of_view);
+    if (has_haze(shot))
         text += fmt::format(
-            R"(// What the air sends back, of the sky where the camera looks.
+            R"(// What the air sends back as far as the camera looks. The sky's image stands behind this
+// haze: change both together.
 #declare HazeLight    = rgb <{}>;
-#declare Visibility   = {} + {} * LandWidth; // metres at which haze takes over
+#declare Visibility   = {:.0f}; // metres at which haze takes over
 )",
-            numbers(air), number(visibility.metres), number(visibility.fraction));
-    }
+            numbers(haze_light(shot)),
+            visibility(shot.options.sky, shot.options.haze, land_width));
     return text + "\n";
 }
 
@@ -103,19 +116,68 @@ sky_sphere {{
                        shot.name);
 }
 
+// As many as the eye sees, brighter ones rarer: 0.51 of a power of ten a magnitude. A
+// pixel wide whatever the frame's size.
+std::string stars(const Shot& shot) {
+    return fmt::format(R"(// Stars, behind all land.
+#declare StarsAt = At({});
+#declare StarDistance = 2000 * LandSize / Unit;
+#declare StarSize = 0.75 * StarDistance * radians({}) / image_width;
+#declare Chance = seed(7);
+#for (I, 1, 5000)
+    #declare StarUp = rand(Chance);
+    #declare StarTurn = 360 * rand(Chance);
+    #declare Brightness = min(pow(rand(Chance), -0.78), 60);
+    #declare Warmth = rand(Chance) - 0.5;
+    sphere {{
+        StarsAt + StarDistance * vrotate(<sqrt(1 - StarUp * StarUp), StarUp, 0>, StarTurn * y)
+        StarSize
+        pigment {{ color rgb 1 }}
+        finish {{ emission SkyLight + 0.012 * Brightness * <1 + Warmth / 4, 1, 1 - Warmth / 4> diffuse 0 }}
+        no_shadow no_reflection no_radiosity
+    }}
+#end
+
+)",
+                       numbers(shot.camera.eye),
+                       number(degrees(shot.camera.field_of_view)));
+}
+
+std::string cloud_shade(const CloudShade& shade) {
+    return fmt::format(
+        R"(// The shadows of the clouds: a sheet over all land that only the sun sees.
+polygon {{
+    5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
+    pigment {{
+        image_pattern {{ png "clouds_{}.png" gamma 1.0 interpolate 2 once }}
+        color_map {{ [0 rgbt <0, 0, 0, 0>] [1 rgbt <0, 0, 0, 1>] }}
+    }}
+    finish {{ diffuse 0 }}
+    translate <-0.5, -0.5, 0> rotate 90 * x
+    scale {} / Unit
+    translate At(LandWidth / 2, LandDepth / 2, BaseHeight) + At({})
+    no_image no_reflection no_radiosity
+}}
+
+)",
+        shade.frame, number(shade.size), numbers(shade.middle));
+}
+
 // One fog: POV-Ray adds up the colours of several, and the horizon would shine.
 std::string haze() {
-    return R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
+    return fmt::format(
+        R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
 // distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-#declare HazeHeight = LandSize / 16; // metres
-fog {
+#declare HazeHeight = {}; // metres
+fog {{
     fog_type 2 up y
     distance Visibility / 3.912 / Unit
     fog_offset BaseHeight / Unit fog_alt HazeHeight / Unit
     color HazeLight
-}
+}}
 
-)";
+)",
+        number(kHazeHeight));
 }
 
 }  // namespace cydonia::render::pov

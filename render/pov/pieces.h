@@ -29,12 +29,22 @@ bool has_haze(const Shot& shot);
 double pixel_size(const Camera& camera);
 
 std::string land_numbers(const Heights16& heights, double spacing);
-std::string light_numbers(const Shot& shot);
+std::string light_numbers(const Shot& shot, double land_width);
 std::string settings(const Shot& shot);
 std::string camera(const Shot& shot);
 std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
+Rgb haze_light(const Shot& shot);
 std::string haze();
+bool has_stars(const Shot& shot);
+std::string stars(const Shot& shot);
+// A sheet that throws the clouds' shadows: metres from the middle of the lowest ground.
+struct CloudShade {
+    std::string frame;
+    Vec3 middle;
+    double size;
+};
+std::string cloud_shade(const CloudShade& shade);
 std::string ground(const Shot& shot);
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
 std::string flood(const Shot& shot);  // all that lies below one level

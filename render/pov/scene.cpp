@@ -7,6 +7,7 @@
 
 #include "field/error.h"
 #include "render/pov/pieces.h"
+#include "render/sky/haze.h"
 
 namespace cydonia::render {
 namespace pov {
@@ -34,9 +35,8 @@ std::string numbers(const Rgb& colour) {
 bool has_radiosity(Quality quality) { return quality != Quality::kDraft; }
 
 bool has_haze(const Shot& shot) {
-    const Length visibility = shot.options.haze.visibility;
     return shot.camera.projection == Camera::Projection::kPerspective &&
-           (visibility.metres > 0.0 || visibility.fraction > 0.0);
+           visibility(shot.options.sky, shot.options.haze, 1.0) > 0.0;
 }
 
 namespace {
@@ -74,12 +74,13 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     pov::check_name(shot.name);
     std::string text = pov::header(shot, water.has_value());
     text += pov::land_numbers(heights, spacing);
-    text += pov::light_numbers(shot);
+    text += pov::light_numbers(shot, heights.levels.width() * spacing);
     text += pov::settings(shot);
     text += pov::camera(shot);
     text += pov::sun(shot);
     text += pov::sky(shot);
     if (pov::has_haze(shot)) text += pov::haze();
+    if (pov::has_stars(shot)) text += pov::stars(shot);
     text += pov::ground(shot);
     text += pov::outskirts(shot, heights, water && water->sea);
     if (shot.options.water) text += pov::flood(shot);

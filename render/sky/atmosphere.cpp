@@ -25,6 +25,12 @@ constexpr Vec3 kRayleigh{5.802e-6, 13.558e-6, 33.1e-6};
 constexpr Vec3 kOzone{0.650e-6, 1.881e-6, 0.085e-6};
 constexpr Vec3 kWavelengths{0.68, 0.55, 0.44};  // of the coefficients, micrometres
 constexpr double kAerosolAlbedo = 0.9, kAerosolG = 0.8;
+// Mars: a hundredth of the air, dust as high as the air reaches, red thrown less forward
+// than blue, so that a low sun has a bluish glow (J. Ehlers et al., "Blue Moons and
+// Martian sunsets", Applied Optics 2014).
+constexpr double kThinAir = 0.01, kDustHeight = 11e3;
+constexpr Vec3 kDustG{0.72, 0.76, 0.82};
+constexpr double kEndless = 1e9;
 constexpr double kLowestSun = -0.2;          // sine of its elevation in the table
 constexpr double kDisc = 0.53 / 180.0 * pi;  // across
 
@@ -38,10 +44,12 @@ Vec3 share(Vec3 a, Vec3 b) {
 }
 
 // Angstrom's law: the depth of all aerosols overhead, spread over their scale height.
-Vec3 aerosol_of(double turbidity) {
+// Grains of dust are larger than a wavelength and dim all colours alike.
+Vec3 aerosol_of(double turbidity, bool dust) {
     const double beta = std::max(0.0, 0.04608 * turbidity - 0.04586);
     const auto extinction = [&](double wavelength) {
-        return beta * std::pow(wavelength, -1.3) / kAerosolHeight;
+        return dust ? beta * std::pow(kWavelengths.y, -1.3) / kDustHeight
+                    : beta * std::pow(wavelength, -1.3) / kAerosolHeight;
     };
     return {extinction(kWavelengths.x), extinction(kWavelengths.y),
             extinction(kWavelengths.z)};
@@ -72,13 +80,21 @@ struct Atmosphere::Medium {
 struct Atmosphere::Marched {
     Vec3 light;    // radiance, sun's irradiance pi
     Vec3 feeding;  // what comes back of uniform light: f_ms
+    Vec3 passed;   // of light from behind
 };
 
-Atmosphere::Atmosphere(const Sun& sun, double turbidity, double ground_albedo)
+Atmosphere::Atmosphere(const Sun& sun, const SkyOptions& options)
     : place_(sun),
       sun_(direction_to(sun)),
-      aerosol_(aerosol_of(turbidity)),
-      ground_albedo_(ground_albedo) {
+      rayleigh_(options.dust ? kThinAir * kRayleigh : kRayleigh),
+      ozone_(options.dust ? Vec3{} : kOzone),
+      aerosol_(aerosol_of(options.turbidity, options.dust.has_value())),
+      aerosol_albedo_(grey(kAerosolAlbedo)),
+      aerosol_g_(options.dust ? kDustG : grey(kAerosolG)),
+      aerosol_height_(options.dust ? kDustHeight : kAerosolHeight),
+      ground_albedo_(options.ground_albedo) {
+    if (const auto& dust = options.dust)
+        aerosol_albedo_ = {(*dust)[0], (*dust)[1], (*dust)[2]};
     parallel_for(kSunAngles, [&](int j) {
         for (int i = 0; i < kSunLevels; ++i) {
             const double z = kLowestSun + (1.0 - kLowestSun) * j / (kSunAngles - 1);
@@ -91,7 +107,19 @@ Atmosphere::Atmosphere(const Sun& sun, double turbidity, double ground_albedo)
 }
 
 Vec3 Atmosphere::radiance(Vec3 direction) const {
-    return march({0.0, 0.0, kGround + kEye}, direction, 48, true).light;
+    return march({0.0, 0.0, kGround + kEye}, direction, 48, true, kEndless).light;
+}
+
+Vec3 Atmosphere::air_light(Vec3 direction, double distance) const {
+    const Marched way = march({0.0, 0.0, kGround + kEye}, direction, 48, true, distance);
+    return 1.0 / std::max(1e-6, 1.0 - way.passed.y) * way.light;
+}
+
+double Atmosphere::extinction(const SkyOptions& options) {
+    const bool dust = options.dust.has_value();
+    return std::exp(-kEye / kRayleighHeight) * (dust ? kThinAir : 1.0) * kRayleigh.y +
+           std::exp(-kEye / (dust ? kDustHeight : kAerosolHeight)) *
+               aerosol_of(options.turbidity, dust).y;
 }
 
 Vec3 Atmosphere::sun_colour() const {
@@ -147,20 +175,24 @@ Vec3 Atmosphere::sunlight(Vec3 p) const {
 Atmosphere::Medium Atmosphere::medium(Vec3 p) const {
     const double altitude = std::max(length(p) - kGround, 0.0);
     Medium m;
-    m.rayleigh = std::exp(-altitude / kRayleighHeight) * kRayleigh;
-    m.aerosol = kAerosolAlbedo * std::exp(-altitude / kAerosolHeight) * aerosol_;
+    m.rayleigh = std::exp(-altitude / kRayleighHeight) * rayleigh_;
+    const Vec3 aerosol = std::exp(-altitude / aerosol_height_) * aerosol_;
+    m.aerosol = mul(aerosol_albedo_, aerosol);
     const double ozone = std::max(0.0, 1.0 - std::abs(altitude - 25e3) / 15e3);
-    m.extinction = m.rayleigh + 1.0 / kAerosolAlbedo * m.aerosol + ozone * kOzone;
+    m.extinction = m.rayleigh + aerosol + ozone * ozone_;
     return m;
 }
 
 // Rayleigh's phase function and Cornette-Shanks' for haze; both average 1 / 4 pi.
 Vec3 Atmosphere::phase(const Medium& m, double cosine) const {
     const double rayleigh = 3.0 / (16.0 * pi) * (1.0 + cosine * cosine);
-    const double g2 = kAerosolG * kAerosolG;
-    const double mie = 3.0 / (8.0 * pi) * (1.0 - g2) * (1.0 + cosine * cosine) /
-                       ((2.0 + g2) * std::pow(1.0 + g2 - 2.0 * kAerosolG * cosine, 1.5));
-    return rayleigh * m.rayleigh + mie * m.aerosol;
+    const auto mie = [&](double g) {
+        const double g2 = g * g;
+        return 3.0 / (8.0 * pi) * (1.0 - g2) * (1.0 + cosine * cosine) /
+               ((2.0 + g2) * std::pow(1.0 + g2 - 2.0 * g * cosine, 1.5));
+    };
+    return rayleigh * m.rayleigh +
+           mul({mie(aerosol_g_.x), mie(aerosol_g_.y), mie(aerosol_g_.z)}, m.aerosol);
 }
 
 // All orders beyond the first at an altitude (Hillaire 2020, section 5.5).
@@ -173,8 +205,9 @@ Vec3 Atmosphere::further_light(Vec3 p) const {
 }
 
 Atmosphere::Marched Atmosphere::march(Vec3 from, Vec3 direction, int steps,
-                                      bool all_orders) const {
-    const Exit exit = exit_of(from, direction);
+                                      bool all_orders, double reach) const {
+    Exit exit = exit_of(from, direction);
+    if (reach < exit.distance) exit = {reach, false};
     const double cosine = dot(direction, sun_);
     Marched result;
     Vec3 through = grey(1.0);
@@ -194,6 +227,7 @@ Atmosphere::Marched Atmosphere::march(Vec3 from, Vec3 direction, int steps,
         result.feeding = result.feeding + mul(through, mul(m.scattering(), gained));
         through = mul(through, passed);
     }
+    result.passed = through;
     if (exit.ground) {
         const Vec3 p = from + exit.distance * direction;
         const double facing = std::max(0.0, dot(normalized(p), sun_));
@@ -211,7 +245,7 @@ Vec3 Atmosphere::multiple_scattering(double altitude) const {
         for (int j = 0; j < kSpokes; ++j) {
             const double a = 2.0 * pi * (j + 0.5) / kSpokes;
             const Marched m =
-                march(from, {r * std::cos(a), r * std::sin(a), z}, 16, false);
+                march(from, {r * std::cos(a), r * std::sin(a), z}, 16, false, kEndless);
             second = second + m.light;
             feeding = feeding + m.feeding;
         }

@@ -5,6 +5,7 @@
 #include "field/field.h"
 #include "field/sun.h"
 #include "field/vec.h"
+#include "render/sky/options.h"
 
 namespace cydonia::render {
 
@@ -12,11 +13,15 @@ namespace cydonia::render {
 // light whose colour outside the air is 1 (render/sky/sky.h).
 class Atmosphere {
   public:
-    // `turbidity` as Preetham's, 1 in pure air; `ground_albedo` of the land all around.
-    Atmosphere(const Sun& sun, double turbidity, double ground_albedo);
+    Atmosphere(const Sun& sun, const SkyOptions& options);
 
     // Toward an eye, 500 m above the sea, from a direction above the horizon.
     Vec3 radiance(Vec3 direction) const;
+    // The same of the air along the first metres of the way, as if it took all light that
+    // the same air takes of green.
+    Vec3 air_light(Vec3 direction, double distance) const;
+    // There, of green light, per metre.
+    static double extinction(const SkyOptions& options);
     // Of the light itself there: the mean over its disc, part of which may have set.
     Vec3 sun_colour() const;
 
@@ -32,11 +37,15 @@ class Atmosphere {
     Vec3 sunlight(Vec3 point) const;
     Vec3 further_light(Vec3 point) const;
     Vec3 multiple_scattering(double altitude) const;
-    Marched march(Vec3 from, Vec3 direction, int steps, bool all_orders) const;
+    Marched march(Vec3 from, Vec3 direction, int steps, bool all_orders,
+                  double reach) const;
 
     Sun place_;
     Vec3 sun_;
-    Vec3 aerosol_;  // extinction at sea level, per metre
+    // Of molecules, and of what floats among them: at sea level, per metre.
+    Vec3 rayleigh_, ozone_, aerosol_;
+    Vec3 aerosol_albedo_, aerosol_g_;
+    double aerosol_height_;  // metres
     double ground_albedo_;
     Field<Vec3> sunlight_{kSunLevels, kSunAngles};  // transmittance by level and sine
     std::array<Vec3, kLevels> multiple_{};

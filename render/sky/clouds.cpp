@@ -21,6 +21,7 @@ constexpr double kReach = 30e3;     // metres from its middle to its sides; then
 constexpr double kPlanet = 6360e3;  // radius
 constexpr double kHeapBase = 1800.0, kHeapHeight = 1300.0, kHeapExtinction = 0.012;
 constexpr double kIceBase = 8000.0, kIceDepth = 0.5;
+constexpr double kShade = 0.15;   // of the extinction, what takes light from the land
 constexpr double kForward = 0.8;  // of Henyey and Greenstein
 
 double henyey_greenstein(double cosine, double g) {
@@ -102,6 +103,20 @@ double CloudLayer::thickness(double east, double north) const {
 double CloudLayer::density(Vec3 p) const {
     if (p.z < 0.0 || p.z > 1.0) return 0.0;
     return smooth(0.0, 0.08, p.z) * smooth(0.0, 0.18, thickness(p.x, p.y) - p.z);
+}
+
+double CloudLayer::sunlight_through(Vec3 point) const {
+    constexpr int kSteps = 24;
+    const double up = std::max(sun_.z, 0.02), step = kHeapHeight / up / kSteps;
+    double depth = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double t = (kHeapBase - point.z) / up + (i + 0.5) * step;
+        depth +=
+            step * kHeapExtinction *
+            density({point.x + t * sun_.x, point.y + t * sun_.y, (i + 0.5) / kSteps});
+    }
+    // What is scattered forward comes down too.
+    return std::exp(-kShade * depth);
 }
 
 CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const {

@@ -20,6 +20,10 @@ class CloudLayer {
     };
     Seen seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const;
 
+    // The share of sunlight that comes through to a point on level ground, metres from
+    // the middle of the land, or above it. Heaps only.
+    double sunlight_through(Vec3 point) const;
+
   private:
     double thickness(double east, double north) const;  // 0 to 1
     double density(Vec3 point) const;

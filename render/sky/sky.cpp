@@ -36,46 +36,71 @@ double phase_light(double lit_share) {
     return std::pow(10.0, -0.4 * (0.026 * a + 4e-9 * a * a * a * a));
 }
 
-// What the light is outside the air. An eye that sees by moonlight sees blue: Jensen et
-// al. 2001, section 5, shift white to the chromaticity (0.25, 0.25), luminance kept.
-constexpr Vec3 kBlueShift{0.706, 0.986, 1.966};
-constexpr Vec3 kMoonColour{1.12, 0.98, 0.84};  // a little redder than the sun's
+// What the light is outside the air. An eye that sees by moonlight sees little colour and
+// all of it blue: Jensen et al. 2001, section 5, shift white to the chromaticity
+// (0.25, 0.25), which is too much for a film; of that shift this is a half, luminance
+// kept. Of the sky's own colour two fifths are left.
+constexpr Vec3 kMoonlight{0.842, 1.012, 1.345};
+constexpr double kNightSaturation = 0.4;
+
+// Overcast, 6900 K against the sun outside the air.
+constexpr Vec3 kOvercastColour{0.961, 1.007, 1.046};
+
+// Of the light that falls on land without air, what its slopes send to one another.
+constexpr double kSlopesSeen = 0.1;
 
 class Sky {
   public:
     Sky(const Sun& sun, const SkyOptions& options)
-        : air_(sun, options.turbidity, options.ground_albedo),
-          sine_(std::sin(sun.elevation)),
-          options_(options) {
-        if (options.moon > 0.0) {
-            light_ = phase_light(options.moon) * mul(kMoonColour, kBlueShift);
-            glow_ = kNightGlow * kBlueShift;
+        : air_(sun, options), sine_(std::sin(sun.elevation)), options_(options) {
+        if (night()) {
+            light_ = phase_light(options.moon) * kMoonlight;
+            glow_ = kNightGlow * kMoonlight;
         }
+        if (!options.air) return;
         clear_ = mean_of_clear();
         if (options.clouds == Clouds::kOvercast) {
             const Vec3 above =
                 clear_ + std::max(sine_, 0.0) * mul(light_, air_.sun_colour());
-            const double through = kThroughOvercast;
-            // Thick cloud mixes sun and sky to nearly one grey.
-            const Vec3 white = options.moon > 0.0 ? kBlueShift : Vec3{1.0, 1.0, 1.0};
-            overcast_ = through * (0.6 * above + 0.4 * luminance(above) * white);
+            // Thick cloud mixes sun and sky to one grey.
+            overcast_ = kThroughOvercast * luminance(above) *
+                        (night() ? kMoonlight : kOvercastColour);
         }
     }
 
-    bool overcast() const { return options_.clouds == Clouds::kOvercast; }
-    Vec3 sun() const { return overcast() ? Vec3{} : mul(light_, air_.sun_colour()); }
+    bool night() const { return options_.moon > 0.0; }
+    bool overcast() const { return options_.air && options_.clouds == Clouds::kOvercast; }
+    Vec3 sun() const {
+        if (!options_.air) return sine_ > 0.0 ? light_ : Vec3{};
+        return overcast() ? Vec3{} : mul(light_, air_.sun_colour());
+    }
     // Mean radiance over level ground.
-    Vec3 mean() const { return overcast() ? overcast_ : clear_; }
+    Vec3 mean() const {
+        if (!options_.air)
+            return kSlopesSeen * options_.ground_albedo * std::max(sine_, 0.0) * light_;
+        return overcast() ? overcast_ : clear_;
+    }
 
     // CIE's standard overcast: three times as bright overhead as at the horizon.
     Vec3 radiance(Vec3 direction) const {
+        if (!options_.air) return {};
         return overcast() ? 3.0 / 7.0 * (1.0 + 2.0 * direction.z) * overcast_
-                          : clear(direction);
+                          : seen(air_.radiance(direction));
+    }
+
+    // What the air sends back on a way, as if it had taken all light there.
+    Vec3 haze(Vec3 direction, double distance) const {
+        if (!options_.air || overcast()) return radiance(direction);
+        return seen(air_.air_light(direction, distance));
     }
 
   private:
-    Vec3 clear(Vec3 direction) const {
-        return mul(light_, air_.radiance(direction)) + glow_;
+    Vec3 seen(Vec3 light) const {
+        if (!night()) return light;
+        const double grey = luminance(light);
+        const Vec3 faded =
+            kNightSaturation * light + (1.0 - kNightSaturation) * Vec3{grey, grey, grey};
+        return mul(light_, faded) + glow_;
     }
 
     Vec3 mean_of_clear() const {
@@ -85,7 +110,7 @@ class Sky {
             const double z = std::sqrt((y + 0.5) / kRings), r = std::sqrt(1.0 - z * z);
             for (int x = 0; x < kSpokes; ++x) {
                 const double a = 2.0 * pi * (x + 0.5) / kSpokes;
-                light(x, y) = clear({r * std::cos(a), r * std::sin(a), z});
+                light(x, y) = seen(air_.radiance({r * std::cos(a), r * std::sin(a), z}));
             }
         });
         Vec3 sum;
@@ -109,12 +134,14 @@ Vec3 direction_of(int x, int y, int width, int height) {
                         pi / 2.0 * (1.0 - (y + 0.5) / height));
 }
 
-Vec3 mean_at(const Sky& sky, double azimuth, double angle, double elevation) {
+// Over directions side by side.
+template <class Light>
+Vec3 mean_of(double azimuth, double angle, double elevation, const Light& light) {
     constexpr int kAcross = 16;
     Vec3 sum;
     for (int i = 0; i < kAcross; ++i)
-        sum = sum + sky.radiance(direction_at(
-                        azimuth + angle * ((i + 0.5) / kAcross - 0.5), elevation));
+        sum = sum + light(direction_at(azimuth + angle * ((i + 0.5) / kAcross - 0.5),
+                                       elevation));
     return 1.0 / kAcross * sum;
 }
 
@@ -160,17 +187,21 @@ void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& cle
 Daylight daylight(const Sun& sun, const SkyOptions& options) {
     const Sky sky(sun, options);
     return {rgb(sky.sun()), rgb(sky.mean()),
-            rgb(mean_at(sky, 0.0, 2.0 * pi, 2.0 * kDegree))};
+            rgb(mean_of(0.0, 2.0 * pi, 2.0 * kDegree,
+                        [&](Vec3 way) { return sky.radiance(way); }))};
 }
 
-Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle) {
-    return rgb(mean_at(Sky(sun, options), azimuth, angle, 0.7 * kDegree));
+Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle,
+              double distance) {
+    const Sky sky(sun, options);
+    return rgb(mean_of(azimuth, angle, 0.7 * kDegree,
+                       [&](Vec3 way) { return sky.haze(way, distance); }));
 }
 
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {
     const Sky sky(sun, options);
-    const bool clouded =
-        options.clouds == Clouds::kCirrus || options.clouds == Clouds::kBroken;
+    const bool clouded = options.air && (options.clouds == Clouds::kCirrus ||
+                                         options.clouds == Clouds::kBroken);
     const Field<Rgb> above = upper_dome(sky, 2 * height, height / 2);
     if (clouded) height *= kCloudDetail;
     const int upper = height / 2;
@@ -182,6 +213,19 @@ Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {
     for (int y = upper; y < height; ++y)
         std::copy_n(dome.row(upper - 1).begin(), 2 * height, dome.row(y).begin());
     return dome;
+}
+
+Field<float> cloud_shadows(const Sun& sun, const Vec3& middle, double size, int n) {
+    const CloudLayer clouds(Clouds::kBroken, sun);
+    Field<float> through(n, n);
+    parallel_for(n, 8, [&](int y) {
+        for (int x = 0; x < n; ++x) {
+            const Vec3 from{size * ((x + 0.5) / n - 0.5), size * (0.5 - (y + 0.5) / n),
+                            0.0};
+            through(x, y) = static_cast<float>(clouds.sunlight_through(middle + from));
+        }
+    });
+    return through;
 }
 
 }  // namespace cydonia::render
