@@ -36,7 +36,7 @@ Made make_passes(Job& job, const render::CameraOptions& camera) {
     const render::PassOptions& options = *job.spec.render.passes;
     const Terrain& terrain = job.land.drawn();
     const render::Shot shot = shot_of(camera, job, terrain);
-    const render::View view(terrain, shot.options.water);
+    const render::View view(terrain, render::scenery_of(shot, terrain));
     job.progress.report(0.1);
     // Maps show triangles, perspective what is smooth between their corners, as the .pov.
     const bool smooth = shot.camera.projection == Camera::Projection::kPerspective;

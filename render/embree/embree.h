@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -62,6 +63,18 @@ const Vertex* lay_grid(const Device& device, const Scene& scene, int width, int 
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene.get(), geometry.get());
     return laid;
+}
+
+// Adds a scene to another; `columns` are where its x, y and z axes and its origin go.
+inline void lay_instance(const Device& device, const Scene& scene, RTCScene what,
+                         const std::array<float, 12>& columns) {
+    const Handle<RTCGeometry, rtcReleaseGeometry> instance(
+        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(instance.get(), what);
+    rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            columns.data());
+    rtcCommitGeometry(instance.get());
+    rtcAttachGeometry(scene.get(), instance.get());
 }
 
 // Marks the rays of a packet that meet the scene: tfar becomes -inf.

@@ -9,6 +9,7 @@
 #include "field/sample.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
+#include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
@@ -98,7 +99,7 @@ class Picture {
     Picture(const Shot& shot, const Terrain& terrain, Style style)
         : shot_(shot),
           style_(style),
-          view_(terrain, shot.options.water),
+          view_(terrain, scenery_of(shot, terrain)),
           rays_(shot.camera),
           to_sun_(direction_to(shot.sun)) {
         const auto [low, high] = std::ranges::minmax(view_.terrain().heights);
@@ -111,25 +112,27 @@ class Picture {
         sky_visible_ = sky_visibility(small.heights, small.spacing);
         light_ = daylight(shot.sun, shot.options.sky);
         dome_ = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
-        const double visibility = shot.options.haze.visibility.in(terrain.width());
+        const double visibility =
+            render::visibility(shot.options.sky, shot.options.haze, terrain.width());
         if (visibility > 0.0 &&
             shot.camera.projection == Camera::Projection::kPerspective)
             thickness_ = 3.912 / visibility;  // Koschmieder
-        haze_height_ = std::max(terrain.width(), terrain.depth()) / 16.0;
+        haze_height_ = kHazeHeight;
     }
 
     Field<Rgb> drawn() const {
         const bool smooth = shot_.camera.projection == Camera::Projection::kPerspective;
         const Field<SeenPoint> points = view_.seen(rays_, smooth);
-        Field<std::uint8_t> shadow;
-        if (style_ == Style::kNatural) shadow = view_.shadow(points, shot_.sun);
+        Field<float> shadow;
+        if (style_ == Style::kNatural)
+            shadow = view_.shadow(points, shot_.sun, View::SunAs::kPoint);
         Field<Rgb> frame(points.width(), points.height());
         parallel_for(frame.height(), 4, [&](int y) {
             for (int x = 0; x < frame.width(); ++x) {
                 const SeenPoint& p = points(x, y);
                 const Ray ray = rays_.through(x + 0.5, y + 0.5);
                 frame(x, y) = style_ == Style::kNatural
-                                  ? natural(p, ray, shadow(x, y) != 0)
+                                  ? natural(p, ray, shadow(x, y) > 0.0f)
                                   : diagram(p);
             }
         });

@@ -13,12 +13,13 @@ enum class Pass {
     kHeight,    // metres
     kSlope,     // degrees
     kMaterial,  // number in the look
-    kShadow,    // 1 in the sun's shadow
+    kThing,     // number of its kind in the scene
+    kShadow,    // share of the sun that is hidden from there
     kSky,       // share of the sky that is seen from there
 };
 inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
                                       Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
-                                      Pass::kShadow, Pass::kSky};
+                                      Pass::kThing,  Pass::kShadow,   Pass::kSky};
 
 struct PassOptions {
     std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};

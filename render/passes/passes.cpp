@@ -33,9 +33,11 @@ struct OnMap {
     double x, y;
 };
 template <class T>
-OnMap on_map(const Field<T>& map, const Terrain& land, const SeenPoint& p) {
-    return {p.at[0] / land.width() * map.width() - 0.5,
-            (1.0 - p.at[1] / land.depth()) * map.height() - 0.5};
+OnMap on_map(const Field<T>& map, const View& view, const SeenPoint& p) {
+    const Terrain& land = view.terrain();
+    const auto [east, north] = view.on_land(p);
+    return {east / land.width() * map.width() - 0.5,
+            (1.0 - north / land.depth()) * map.height() - 0.5};
 }
 
 template <class T>
@@ -49,7 +51,6 @@ T nearest(const Field<T>& map, OnMap at) {
 std::vector<PassLayer> passes(const View& view, const Field<SeenPoint>& points,
                               const Sun& sun, const PassMaps& maps,
                               const std::vector<Pass>& which) {
-    const Terrain& land = view.terrain();
     const auto layer = [&](Pass pass) -> std::optional<PassLayer> {
         switch (pass) {
             case Pass::kDepth:
@@ -82,10 +83,15 @@ std::vector<PassLayer> passes(const View& view, const Field<SeenPoint>& points,
                               [&](const SeenPoint& p, std::size_t, float* out) {
                                   if (p.surface != Surface::kLand) return;
                                   *out = 1.0f + nearest(maps.materials,
-                                                        on_map(maps.materials, land, p));
+                                                        on_map(maps.materials, view, p));
                               });
+            case Pass::kThing:
+                if (!view.has_things()) return std::nullopt;
+                return filled(
+                    {"thing", {"thing.Y"}, true, {}}, points, 0.0f,
+                    [](const SeenPoint& p, std::size_t, float* out) { *out = p.thing; });
             case Pass::kShadow: {
-                const Field<std::uint8_t> shadow = view.shadow(points, sun);
+                const Field<float> shadow = view.shadow(points, sun, View::SunAs::kDisc);
                 return filled({"shadow", {"shadow.Y"}, true, {}}, points, 0.0f,
                               [&](const SeenPoint&, std::size_t i, float* out) {
                                   *out = shadow[i];
@@ -95,8 +101,10 @@ std::vector<PassLayer> passes(const View& view, const Field<SeenPoint>& points,
                 if (maps.sky_visibility.empty()) return std::nullopt;
                 return filled({"sky", {"sky.Y"}, true, {}}, points, 0.0f,
                               [&](const SeenPoint& p, std::size_t, float* out) {
-                                  const OnMap at = on_map(maps.sky_visibility, land, p);
-                                  *out = p.surface == Surface::kLand
+                                  const OnMap at = on_map(maps.sky_visibility, view, p);
+                                  const bool over_land = p.surface == Surface::kLand ||
+                                                         p.surface == Surface::kThing;
+                                  *out = over_land
                                              ? bilinear(maps.sky_visibility, at.x, at.y)
                                          : p.surface == Surface::kSide ? 0.5f
                                                                        : 1.0f;

@@ -9,10 +9,13 @@
 
 #include "field/error.h"
 #include "field/parallel.h"
-#include "field/quantise.h"
 #include "render/camera_view.h"
 #include "render/embree/embree.h"
+#include "render/passes/copies.h"
+#include "render/passes/mesh.h"
+#include "render/pov/things.h"
 #include "render/pov/water.h"
+#include "render/shadow/soft.h"
 
 namespace cydonia::render {
 namespace {
@@ -21,28 +24,38 @@ using embree::Vertex;
 using embree::vertex;
 
 constexpr int kMaxSide = 16384;
-constexpr int kTile = 4;  // 4x4 neighbouring pixels are one packet of rays
+constexpr int kLandsAround = 2;  // on each side, as the .pov has them
+constexpr int kDiscPairs = 16;   // half the directions to the sun in a penumbra
+constexpr int kTile = 4;         // 4x4 neighbouring pixels are one packet of rays
 constexpr int kRays = kTile * kTile;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::array<float, 3> floats(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
+Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 // What a ray met, and how far away, metres.
 struct Meeting {
     double distance = kNever;
     Surface surface = Surface::kSky;
-    void take(double other, Surface what) {
-        if (other < distance) distance = other, surface = what;
-    }
+    unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
+    float u = 0.0f, v = 0.0f;
 };
 
-// A level plane, inside the mesh's border, outside it or everywhere.
+// A level plane, over so many lands on each side of the land, beyond them, or both.
 struct Plane {
     double height;
+    int lands;
     bool inside, outside;
     Surface surface;
+};
+
+// Where a point looks at the sun from, in Embree's space.
+struct Lookout {
+    Vertex from{};
+    float least = 0.0f;  // what is nearer is the point's own
+    Vec3 normal{};       // nothing in the sky
 };
 
 }  // namespace
@@ -50,83 +63,86 @@ struct Plane {
 // Embree's x, y and z are metres east, north and up from the middle of the land, over the
 // spacing.
 struct View::Scene {
-    Scene(const Terrain& land, const std::optional<WaterOptions>& flood);
+    Scene(const Terrain& land, const Scenery& scenery);
 
     void lay_land();
     void lay_side(int count, const std::function<Vertex(int)>& rim);
     void lay_water(const Field<float>& surface);
+    void lay_around(embree::Scene& around, const embree::Scene& what);
     Vertex corner(const Field<float>& heights, int x, int y) const {
         return vertex({x - 0.5 * (width - 1), 0.5 * (height - 1) - y,
-                       (heights(x, y) - middle) / terrain.spacing});
+                       (heights(x, y) - space.middle.z) / space.unit});
     }
     Vec3 to_embree(const Vec3& p) const {
-        const double s = terrain.spacing;
-        return {p.x / s - 0.5 * width, p.y / s - 0.5 * height, (p.z - middle) / s};
-    }
-    bool over_mesh(const Vec3& p) const {
-        const double s = terrain.spacing;
-        return p.x >= 0.5 * s && p.y >= 0.5 * s && p.x <= (width - 0.5) * s &&
-               p.y <= (height - 0.5) * s;
+        return (1.0 / space.unit) * (p - space.middle);
     }
 
-    // Where a place is on the mesh: its square, how far in it, its triangle's slopes
-    // (rise a cell, east and south), and the height.
-    struct Spot {
-        int i, j;
-        double u, v;
-        double east, south;
-        double height;
-    };
-    Spot spot(double east, double north) const;
-    Vec3 smooth_normal(const Spot& spot) const;
-    void meet_mesh(const embree::Scene& mesh, const std::array<Ray, kRays>& rays,
-                   Surface surface, std::array<Meeting, kRays>& met) const;
+    using Rays = std::array<Ray, kRays>;
+    using Meetings = std::array<Meeting, kRays>;
+    void meet(const embree::Scene& scene, const Rays& rays, Surface surface,
+              Meetings& met) const;
     void meet_planes(const Ray& ray, Meeting& met) const;
     SeenPoint point(const Ray& ray, const Meeting& met, bool smooth,
                     const Vec3& forward) const;
 
-    Terrain terrain;
+    using Lookouts = std::array<Lookout, kRays>;
+    using Which = std::array<int, kRays>;  // as Embree wants it: -1 or 0
+    Lookout lookout(const SeenPoint& point) const;
+    // Those from where the sun is hidden, of those that are asked for.
+    Which hidden(const Lookouts& from, const Vec3& to_sun, const Which& asked) const;
+
+    Mesh mesh;
     int width, height;
-    double low, middle;
+    EmbreeSpace space;
+    float foot = 0.0f;  // of the sides
     embree::Device device;
     embree::Scene land;
-    std::optional<embree::Scene> water;
+    std::optional<embree::Scene> around, water, water_around;
+    std::optional<Copies> things;
+    bool has_things;  // of the scene; none may be in view
     std::vector<Plane> planes;
     float lift = 0.0f;
 };
 
-View::Scene::Scene(const Terrain& given, const std::optional<WaterOptions>& flood)
-    : width(given.heights.width()),
+View::Scene::Scene(const Terrain& given, const Scenery& scenery)
+    : mesh(given),
+      width(given.heights.width()),
       height(given.heights.height()),
       device(rtcNewDevice(nullptr)),
-      land(embree::new_scene(device)) {
-    terrain.heights = heights_of(quantised(given.heights));
-    terrain.spacing = given.spacing;
-    const auto [lowest, highest] = std::ranges::minmax(terrain.heights);
-    low = lowest;
-    middle = 0.5 * (static_cast<double>(lowest) + highest);
-    const double reach =
-        std::max({0.5 * width, 0.5 * height,
-                  (static_cast<double>(highest) - middle) / terrain.spacing});
+      land(embree::new_scene(device)),
+      has_things(!scenery.kinds.empty()) {
+    const Terrain& terrain = mesh.terrain();
+    const auto [low, high] = std::ranges::minmax(terrain.heights);
+    space = {{0.5 * terrain.width(), 0.5 * terrain.depth(), 0.5 * (double(low) + high)},
+             terrain.spacing};
+    foot = static_cast<float>((low - space.middle.z) / space.unit);
+    const double reach = std::max({0.5 * width, 0.5 * height, -double(foot)});
     lift = static_cast<float>(4.0 * reach * std::numeric_limits<float>::epsilon());
+    const bool goes_on = scenery.around == Around::kLand;
     lay_land();
+    if (goes_on) lay_around(around.emplace(embree::new_scene(device)), land);
 
-    const double around = outskirts_height(terrain);
-    planes.push_back({around, false, true, Surface::kOutskirts});
-    if (flood) {
-        const double level = flood->level.in(terrain.width());
-        planes.push_back({level, true, level >= around, Surface::kWater});
+    const double level = outskirts_height(terrain);
+    const int lands = goes_on ? kLandsAround : 0;
+    planes.push_back({level, lands, false, true, Surface::kOutskirts});
+    if (scenery.flood) {
+        const double flood = scenery.flood->level.in(terrain.width());
+        planes.push_back({flood, lands, true, flood >= level, Surface::kWater});
     }
     if (const auto surface = water_surface(given)) {
         lay_water(heights_of(surface->heights));
-        if (surface->sea) planes.push_back({*surface->sea, false, true, Surface::kWater});
+        if (goes_on) lay_around(water_around.emplace(embree::new_scene(device)), *water);
+        if (surface->sea)
+            planes.push_back({*surface->sea, 0, false, true, Surface::kWater});
     }
+    things.emplace(device, scenery.kinds, scenery.things, space);
+    if (things->empty()) things.reset();
     if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
         throw failure("not enough memory to look at {}x{} heights", width, height);
 }
 
 void View::Scene::lay_land() {
-    const Field<float>& h = terrain.heights;
+    const Field<float>& h = mesh.terrain().heights;
     embree::lay_grid(device, land, width, height, [&](Vertex* laid) {
         parallel_for(height, 16, [&](int y) {
             Vertex* out = laid + static_cast<std::size_t>(height - 1 - y) * width;
@@ -142,7 +158,6 @@ void View::Scene::lay_land() {
 
 // From the land's rim down to its lowest ground.
 void View::Scene::lay_side(int count, const std::function<Vertex(int)>& rim) {
-    const auto foot = static_cast<float>((low - middle) / terrain.spacing);
     embree::lay_grid(device, land, count, 2, [&](Vertex* laid) {
         for (int i = 0; i < count; ++i) {
             laid[i] = laid[count + i] = rim(i);
@@ -162,43 +177,24 @@ void View::Scene::lay_water(const Field<float>& surface) {
     rtcCommitScene(water->get());
 }
 
-View::Scene::Spot View::Scene::spot(double east, double north) const {
-    const Field<float>& h = terrain.heights;
-    const double x = std::clamp(east / terrain.spacing - 0.5, 0.0, width - 1.0);
-    const double y =
-        std::clamp(height - 0.5 - north / terrain.spacing, 0.0, height - 1.0);
-    Spot s{};
-    s.i = std::min(static_cast<int>(x), width - 2);
-    s.j = std::min(static_cast<int>(y), height - 2);
-    s.u = x - s.i, s.v = y - s.j;
-    const double nw = h(s.i, s.j), ne = h(s.i + 1, s.j), sw = h(s.i, s.j + 1),
-                 se = h(s.i + 1, s.j + 1);
-    const bool north_east = s.u > s.v;
-    s.east = north_east ? ne - nw : se - sw;
-    s.south = north_east ? se - ne : sw - nw;
-    s.height = nw + s.u * s.east + s.v * s.south;
-    return s;
+// Mirrored at the land's borders.
+void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
+    for (int i = -kLandsAround; i <= kLandsAround; ++i)
+        for (int j = -kLandsAround; j <= kLandsAround; ++j) {
+            if (i == 0 && j == 0) continue;
+            embree::lay_instance(device, copies, what.get(),
+                                 {i % 2 ? -1.0f : 1.0f, 0, 0,  //
+                                  0, j % 2 ? -1.0f : 1.0f, 0,  //
+                                  0, 0, 1,                     //
+                                  float(i * (width - 1)), float(j * (height - 1)), 0});
+        }
+    rtcCommitScene(copies.get());
 }
 
-Vec3 View::Scene::smooth_normal(const Spot& s) const {
-    const Field<float>& h = terrain.heights;
-    const auto at = [&](int x, int y) {
-        const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, width - 1);
-        const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, height - 1);
-        return normalized({-(h(x1, y) - h(x0, y)) / float(x1 - x0),
-                           (h(x, y1) - h(x, y0)) / float(y1 - y0), terrain.spacing});
-    };
-    const Vec3 nw = at(s.i, s.j), se = at(s.i + 1, s.j + 1);
-    const bool north_east = s.u > s.v;
-    const Vec3 third = north_east ? at(s.i + 1, s.j) : at(s.i, s.j + 1);
-    const double most = std::max(s.u, s.v), least = std::min(s.u, s.v);
-    return normalized((1.0 - most) * nw + (most - least) * third + least * se);
-}
-
-void View::Scene::meet_mesh(const embree::Scene& mesh, const std::array<Ray, kRays>& rays,
-                            Surface surface, std::array<Meeting, kRays>& met) const {
+void View::Scene::meet(const embree::Scene& scene, const Rays& rays, Surface surface,
+                       Meetings& met) const {
     alignas(64) RTCRayHit16 packet{};
-    alignas(64) std::array<int, kRays> valid{};
+    alignas(64) Which valid{};
     for (std::size_t i = 0; i < kRays; ++i) {
         const Vertex from = vertex(to_embree(rays[i].from));
         const Vertex way = vertex(rays[i].direction);
@@ -206,17 +202,22 @@ void View::Scene::meet_mesh(const embree::Scene& mesh, const std::array<Ray, kRa
         packet.ray.org_z[i] = from.z;
         packet.ray.dir_x[i] = way.x, packet.ray.dir_y[i] = way.y;
         packet.ray.dir_z[i] = way.z;
-        packet.ray.tfar[i] = static_cast<float>(met[i].distance / terrain.spacing);
+        packet.ray.tfar[i] = static_cast<float>(met[i].distance / space.unit);
         packet.ray.mask[i] = ~0u;
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         valid[i] = -1;
     }
-    embree::find_hits(mesh.get(), valid.data(), packet);
+    embree::find_hits(scene.get(), valid.data(), packet);
+    const auto& hit = packet.hit;
     for (std::size_t i = 0; i < kRays; ++i) {
-        const unsigned hit = packet.hit.geomID[i];
-        if (hit == RTC_INVALID_GEOMETRY_ID) continue;
-        met[i].take(packet.ray.tfar[i] * terrain.spacing,
-                    surface == Surface::kLand && hit > 0 ? Surface::kSide : surface);
+        const double distance = packet.ray.tfar[i] * space.unit;
+        if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID || distance >= met[i].distance)
+            continue;
+        const bool side = surface == Surface::kLand && hit.geomID[i] > 0;
+        met[i] = {distance,         side ? Surface::kSide : surface,
+                  hit.instID[0][i], hit.geomID[i],
+                  hit.primID[i],    hit.u[i],
+                  hit.v[i]};
     }
 }
 
@@ -224,34 +225,97 @@ void View::Scene::meet_planes(const Ray& ray, Meeting& met) const {
     for (const Plane& plane : planes) {
         const double distance = (plane.height - ray.from.z) / ray.direction.z;
         if (!(distance > 0.0) || !(distance < met.distance)) continue;
-        const bool over = over_mesh(ray.from + distance * ray.direction);
-        if (over ? plane.inside : plane.outside) met.take(distance, plane.surface);
+        const bool over = mesh.is_under(ray.from + distance * ray.direction, plane.lands);
+        if (over ? plane.inside : plane.outside)
+            met = {distance, plane.surface, 0, 0, 0, 0.0f, 0.0f};
     }
 }
 
 SeenPoint View::Scene::point(const Ray& ray, const Meeting& met, bool smooth,
                              const Vec3& forward) const {
     if (met.surface == Surface::kSky) return {};
+    SeenPoint seen;
+    seen.surface = met.surface;
     Vec3 at = ray.from + met.distance * ray.direction;
     Vec3 normal{0.0, 0.0, 1.0};
     if (met.surface == Surface::kLand) {
-        const Spot s = spot(at.x, at.y);
-        normal =
-            smooth ? smooth_normal(s) : normalized({-s.east, s.south, terrain.spacing});
+        const Mesh::Spot s = mesh.spot(at.x, at.y);
+        normal = smooth ? mesh.smooth_normal(s) : mesh.face_normal(s);
         // What is left of single precision would hide the point from itself; never where
         // the mesh is nearly upright.
-        if (std::abs(s.height - at.z) < 0.01 * terrain.spacing) at.z = s.height;
+        if (std::abs(s.height - at.z) < 0.01 * space.unit) at.z = s.height;
     } else if (met.surface == Surface::kSide) {
-        const Vec3 p = to_embree(at);
-        normal = std::abs(p.x) / (width - 1) > std::abs(p.y) / (height - 1)
-                     ? Vec3{p.x < 0.0 ? -1.0 : 1.0, 0.0, 0.0}
-                     : Vec3{0.0, p.y < 0.0 ? -1.0 : 1.0, 0.0};
+        normal = mesh.side_normal(at);
+    } else if (met.surface == Surface::kThing) {
+        const Copies::Hit hit =
+            things->hit(met.instance, met.geometry, met.triangle, met.u, met.v);
+        normal = dot(hit.normal, ray.direction) > 0.0 ? -1.0 * hit.normal : hit.normal;
+        seen.thing = static_cast<std::uint8_t>(hit.kind + 1);
+        seen.shape = hit.shape;
     }
-    return {floats(at), floats(normal), static_cast<float>(dot(at - ray.from, forward)),
-            met.surface};
+    seen.at = floats(at);
+    seen.normal = floats(normal);
+    seen.depth = static_cast<float>(dot(at - ray.from, forward));
+    return seen;
 }
 
-View::View(const Terrain& terrain, const std::optional<WaterOptions>& flood) {
+Lookout View::Scene::lookout(const SeenPoint& p) const {
+    if (p.surface == Surface::kSky) return {};
+    Vec3 at = vec(p.at), normal = vec(p.normal);
+    if (p.surface == Surface::kLand) {
+        const Mesh::Spot s = mesh.spot(at.x, at.y);
+        normal = mesh.face_normal(s);
+        at.z = s.height;
+    }
+    Vertex from = vertex(to_embree(at));
+    if (p.surface == Surface::kThing) {  // off its own leaf
+        const float off = 8.0f * lift;
+        return {{from.x + off * p.normal[0], from.y + off * p.normal[1],
+                 from.z + off * p.normal[2]},
+                0.0f,
+                normal};
+    }
+    // A side would shade itself.
+    if (p.surface == Surface::kSide) return {from, 1e-3f, normal};
+    from.z += lift;
+    return {from, 0.0f, normal};
+}
+
+View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
+                                       const Which& asked) const {
+    const Vertex way = vertex(to_sun);
+    alignas(64) RTCRay16 packet{};
+    alignas(64) Which valid{};
+    Which result{};
+    for (std::size_t i = 0; i < kRays; ++i) {
+        if (!asked[i]) continue;
+        valid[i] = dot(from[i].normal, to_sun) > 0.0 ? -1 : 0;
+        result[i] = valid[i] ? 0 : -1;
+        packet.org_x[i] = from[i].from.x, packet.org_y[i] = from[i].from.y;
+        packet.org_z[i] = from[i].from.z;
+        packet.tnear[i] = from[i].least;
+    }
+    std::fill_n(packet.dir_x, kRays, way.x);
+    std::fill_n(packet.dir_y, kRays, way.y);
+    std::fill_n(packet.dir_z, kRays, way.z);
+    std::fill_n(packet.tfar, kRays, std::numeric_limits<float>::infinity());
+    std::fill_n(packet.mask, kRays, ~0u);
+    const auto mark = [&](const embree::Scene& scene) {
+        embree::mark_occluded(scene.get(), valid.data(), packet);
+        for (std::size_t i = 0; i < kRays; ++i)
+            if (valid[i] && packet.tfar[i] < 0.0f) result[i] = -1, valid[i] = 0;
+    };
+    mark(land);
+    if (things) mark(things->scene());
+    return result;
+}
+
+Scenery scenery_of(const Shot& shot, const Terrain& terrain) {
+    return {shot.options.water, shot.around, shot.options.things,
+            pov::things_of(shot, terrain)};
+}
+
+View::View(const Terrain& terrain, const Scenery& scenery) {
     const Field<float>& h = terrain.heights;
     if (std::min(h.width(), h.height()) < 2 || std::max(h.width(), h.height()) > kMaxSide)
         throw bad_request("passes need 2x2 to {0}x{0} heights, not {1}x{2}", kMaxSide,
@@ -259,11 +323,21 @@ View::View(const Terrain& terrain, const std::optional<WaterOptions>& flood) {
     if (!(terrain.spacing > 0.0) ||
         !std::ranges::all_of(h, [](float v) { return std::isfinite(v); }))
         throw bad_request("passes need finite heights and a cell size above 0 m");
-    scene_ = std::make_unique<Scene>(terrain, flood);
+    scene_ = std::make_unique<Scene>(terrain, scenery);
 }
 View::~View() = default;
 
-const Terrain& View::terrain() const { return scene_->terrain; }
+const Terrain& View::terrain() const { return scene_->mesh.terrain(); }
+
+std::array<double, 2> View::on_land(const SeenPoint& p) const {
+    return scene_->mesh.on_land(p.at[0], p.at[1]);
+}
+
+bool View::has_things() const { return scene_->has_things; }
+
+Rgb View::albedo(const SeenPoint& thing) const {
+    return scene_->things->shapes()[thing.shape].part.albedo;
+}
 
 Field<SeenPoint> View::seen(const CameraRays& rays, bool smooth) const {
     const Scene& scene = *scene_;
@@ -271,12 +345,17 @@ Field<SeenPoint> View::seen(const CameraRays& rays, bool smooth) const {
     parallel_for((points.height() + kTile - 1) / kTile, [&](int band) {
         const int y0 = band * kTile;
         for (int x0 = 0; x0 < points.width(); x0 += kTile) {
-            std::array<Ray, kRays> packet;
-            std::array<Meeting, kRays> met{};
+            Scene::Rays packet;
+            Scene::Meetings met{};
             for (int i = 0; i < kRays; ++i)
                 packet[i] = rays.through(x0 + i % kTile + 0.5, y0 + i / kTile + 0.5);
-            scene.meet_mesh(scene.land, packet, Surface::kLand, met);
-            if (scene.water) scene.meet_mesh(*scene.water, packet, Surface::kWater, met);
+            scene.meet(scene.land, packet, Surface::kLand, met);
+            if (scene.around) scene.meet(*scene.around, packet, Surface::kLand, met);
+            if (scene.water) scene.meet(*scene.water, packet, Surface::kWater, met);
+            if (scene.water_around)
+                scene.meet(*scene.water_around, packet, Surface::kWater, met);
+            if (scene.things)
+                scene.meet(scene.things->scene(), packet, Surface::kThing, met);
             for (int i = 0; i < kRays; ++i) {
                 const int x = x0 + i % kTile, y = y0 + i / kTile;
                 if (!points.contains(x, y)) continue;
@@ -288,49 +367,53 @@ Field<SeenPoint> View::seen(const CameraRays& rays, bool smooth) const {
     return points;
 }
 
-Field<std::uint8_t> View::shadow(const Field<SeenPoint>& points, const Sun& sun) const {
+Field<float> View::shadow(const Field<SeenPoint>& points, const Sun& sun,
+                          SunAs as) const {
     const Scene& scene = *scene_;
-    const Vec3 to_sun = direction_to(sun);
-    const Vertex way = vertex(to_sun);
-    Field<std::uint8_t> shadow(points.width(), points.height());
+    const auto directions = [](const std::vector<Sun>& suns) {
+        std::vector<Vec3> result;
+        for (const Sun& s : suns) result.push_back(direction_to(s));
+        return result;
+    };
+    // A straight edge that leaves the rim alone, which is that of the square around the
+    // disc, does not cut the disc.
+    const std::vector<Vec3> rim = directions(
+        as == SunAs::kDisc ? sun_rim(sun, std::sqrt(2.0)) : std::vector<Sun>{sun});
+    const std::vector<Vec3> disc = directions(sun_disc(sun, kDiscPairs));
+    Field<float> shadow(points.width(), points.height());
     parallel_for((points.height() + kTile - 1) / kTile, [&](int band) {
         const int y0 = band * kTile;
         for (int x0 = 0; x0 < points.width(); x0 += kTile) {
-            alignas(64) RTCRay16 packet{};
-            alignas(64) std::array<int, kRays> faces_sun{};
+            Scene::Lookouts from{};
+            Scene::Which asked{};
             for (int i = 0; i < kRays; ++i) {
                 const int x = x0 + i % kTile, y = y0 + i / kTile;
                 if (!points.contains(x, y)) continue;
-                const SeenPoint& p = points(x, y);
-                if (p.surface == Surface::kSky) continue;
-                Vec3 at{p.at[0], p.at[1], p.at[2]};
-                Vec3 normal{p.normal[0], p.normal[1], p.normal[2]};
-                if (p.surface == Surface::kLand) {
-                    const Scene::Spot s = scene.spot(at.x, at.y);
-                    normal = {-s.east, s.south, scene.terrain.spacing};
-                    at.z = s.height;
+                from[i] = scene.lookout(points(x, y));
+                asked[i] = points(x, y).surface == Surface::kSky ? 0 : -1;
+            }
+            const auto count = [&](const std::vector<Vec3>& suns) {
+                Scene::Which sum{};
+                for (const Vec3& to_sun : suns) {
+                    const Scene::Which dark = scene.hidden(from, to_sun, asked);
+                    for (int i = 0; i < kRays; ++i) sum[i] -= dark[i];
                 }
-                faces_sun[i] = dot(normal, to_sun) > 0.0 ? -1 : 0;
-                const Vertex from = vertex(scene.to_embree(at));
-                packet.org_x[i] = from.x, packet.org_y[i] = from.y;
-                packet.org_z[i] = from.z;
-                // A side would shade itself.
-                if (p.surface == Surface::kSide)
-                    packet.tnear[i] = 1e-3f;
-                else
-                    packet.org_z[i] += scene.lift;
-            }
-            std::fill_n(packet.dir_x, kRays, way.x);
-            std::fill_n(packet.dir_y, kRays, way.y);
-            std::fill_n(packet.dir_z, kRays, way.z);
-            std::fill_n(packet.tfar, kRays, std::numeric_limits<float>::infinity());
-            std::fill_n(packet.mask, kRays, ~0u);
-            embree::mark_occluded(scene.land.get(), faces_sun.data(), packet);
-            for (int i = 0; i < kRays; ++i) {
-                const int x = x0 + i % kTile, y = y0 + i / kTile;
-                if (points.contains(x, y) && points(x, y).surface != Surface::kSky)
-                    shadow(x, y) = !faces_sun[i] || packet.tfar[i] < 0.0f;
-            }
+                return sum;
+            };
+            const auto put = [&](const Scene::Which& dark, std::size_t of) {
+                for (int i = 0; i < kRays; ++i) {
+                    const int x = x0 + i % kTile, y = y0 + i / kTile;
+                    if (asked[i])
+                        shadow(x, y) =
+                            static_cast<float>(dark[i]) / static_cast<float>(of);
+                }
+            };
+            const Scene::Which dark = count(rim);
+            put(dark, rim.size());
+            for (int i = 0; i < kRays; ++i)
+                if (dark[i] == 0 || dark[i] == int(rim.size())) asked[i] = 0;
+            if (std::ranges::any_of(asked, [](int a) { return a != 0; }))
+                put(count(disc), disc.size());
         }
     });
     return shadow;

@@ -10,7 +10,6 @@
 
 #include "render/pov/pieces.h"
 #include "render/things/originals.h"
-#include "render/things/placement.h"
 
 namespace cydonia::render::pov {
 namespace {
@@ -33,24 +32,6 @@ std::size_t most_copies(Quality quality) {
 
 std::string vector(const std::array<float, 3>& v) {
     return fmt::format("<{:.4g},{:.4g},{:.4g}>", v[0], v[2], v[1]);
-}
-
-// Corners' normals, by the faces around them.
-std::vector<std::array<float, 3>> normals_of(const Original::Part& part) {
-    std::vector<Vec3> sums(part.vertices.size());
-    const auto at = [&](std::uint32_t i) {
-        return Vec3{part.vertices[i][0], part.vertices[i][1], part.vertices[i][2]};
-    };
-    for (const auto& [a, b, c] : part.triangles) {
-        const Vec3 n = cross(at(b) - at(a), at(c) - at(a));
-        for (const std::uint32_t i : {a, b, c}) sums[i] = sums[i] + n;
-    }
-    std::vector<std::array<float, 3>> normals;
-    for (const Vec3& sum : sums) {
-        const Vec3 n = normalized(sum);
-        normals.push_back({float(n.x), float(n.y), float(n.z)});
-    }
-    return normals;
 }
 
 template <class Vectors>
@@ -83,6 +64,16 @@ std::string original(ThingOptions::Kind kind, int number) {
 
 }  // namespace
 
+std::vector<std::vector<Thing>> things_of(const Shot& shot, const Terrain& terrain) {
+    const std::vector<ThingOptions>& kinds = shot.options.things;
+    std::vector<std::vector<Thing>> all;
+    for (int i = 0; i < int(kinds.size()); ++i)
+        all.push_back(things_in_view(terrain, kinds[std::size_t(i)], i, shot.camera,
+                                     most_copies(shot.quality) / kinds.size(),
+                                     shot.options.water));
+    return all;
+}
+
 std::string things(const Shot& shot, const Terrain& terrain) {
     const std::vector<ThingOptions>& kinds = shot.options.things;
     if (kinds.empty()) return "";
@@ -93,19 +84,18 @@ std::string things(const Shot& shot, const Terrain& terrain) {
 )";
     std::array<bool, std::size(kNames)> declared{};
     std::string copies;
-    for (int i = 0; i < int(kinds.size()); ++i) {
-        const ThingOptions& of = kinds[std::size_t(i)];
+    const std::vector<std::vector<Thing>> strewn = things_of(shot, terrain);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const ThingOptions& of = kinds[i];
         const char* name = kNames[static_cast<int>(of.kind)];
-        const std::vector<Thing> all =
-            things_in_view(terrain, of, i, shot.camera,
-                           most_copies(shot.quality) / kinds.size(), shot.options.water);
-        for (const Thing& thing : all)
+        for (const Thing& thing : strewn[i])
             fmt::format_to(std::back_inserter(copies),
-                           "object{{{}{} scale {:.3g} rotate {:.0f}*y "
+                           "object{{{}{} scale {:.4g} rotate {:.1f}*y "
                            "translate<{:.7g},{:.7g},{:.7g}>}}\n",
                            name, thing.original, thing.height, degrees(thing.turn),
                            thing.foot.x, thing.foot.z, thing.foot.y);
-        if (all.empty() || std::exchange(declared[std::size_t(of.kind)], true)) continue;
+        if (strewn[i].empty() || std::exchange(declared[std::size_t(of.kind)], true))
+            continue;
         for (int k = 0; k < kOriginals; ++k) text += original(of.kind, k);
     }
     if (copies.empty()) return "";

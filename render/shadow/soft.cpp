@@ -12,7 +12,6 @@ namespace cydonia::render {
 namespace {
 
 constexpr double kRadius = 0.53 / 2.0 * std::numbers::pi / 180.0;
-constexpr int kPairs = kDiscDirections / 2;
 constexpr int kRim = 4;
 
 // So far from the disc's middle. On the horizon its lower part has set: light comes
@@ -22,24 +21,12 @@ Sun toward(const Sun& sun, double radius, double angle) {
             std::max(1e-3, sun.elevation + radius * std::sin(angle))};
 }
 
-// Places on a sunflower's spiral (Vogel 1979) and across: each stands for as much of the
-// disc, and any line through the middle halves them.
-std::vector<Sun> pairs(const Sun& sun) {
-    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    std::vector<Sun> result;
-    for (int i = 0; i < kPairs; ++i)
-        for (const double side : {-kRadius, kRadius})
-            result.push_back(
-                toward(sun, side * std::sqrt((i + 0.75) / kPairs), golden * i));
-    return result;
-}
-
 // Cells that the disc's rim does not show all lit or all dark, and their neighbours.
 Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
+    const std::vector<Sun> rim = sun_rim(sun, 1.0);
     Field<std::uint8_t> dark = caster.shadow(sun, 1);
     for (int i = 0; i < kRim; ++i) {
-        const Field<std::uint8_t> cast =
-            caster.shadow(toward(sun, kRadius, 2.0 * std::numbers::pi * i / kRim), 1);
+        const Field<std::uint8_t> cast = caster.shadow(rim[std::size_t(i)], 1);
         parallel_for(cast.height(), 64, [&](int y) {
             for (int x = 0; x < cast.width(); ++x) dark(x, y) += cast(x, y);
         });
@@ -59,6 +46,25 @@ Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
 
 }  // namespace
 
+// On a sunflower's spiral (Vogel 1979) and across: each stands for as much of the disc,
+// and any line through the middle halves them.
+std::vector<Sun> sun_disc(const Sun& sun, int pairs) {
+    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<Sun> result;
+    for (int i = 0; i < pairs; ++i)
+        for (const double side : {-kRadius, kRadius})
+            result.push_back(
+                toward(sun, side * std::sqrt((i + 0.75) / pairs), golden * i));
+    return result;
+}
+
+std::vector<Sun> sun_rim(const Sun& sun, double radii) {
+    std::vector<Sun> result;
+    for (int i = 0; i < kRim; ++i)
+        result.push_back(toward(sun, radii * kRadius, 2.0 * std::numbers::pi * i / kRim));
+    return result;
+}
+
 Field<std::uint8_t> hidden_sun(const Caster& caster, const Sun& sun, int rays) {
     const Field<std::uint8_t> where = penumbra(caster, sun);
     Field<std::uint8_t> hidden = caster.shadow(sun, rays);
@@ -67,7 +73,7 @@ Field<std::uint8_t> hidden_sun(const Caster& caster, const Sun& sun, int rays) {
             if (hidden(x, y) && !where(x / rays, y / rays))
                 hidden(x, y) = kDiscDirections;
     });
-    for (const Sun& part : pairs(sun)) {
+    for (const Sun& part : sun_disc(sun, kDiscDirections / 2)) {
         const Field<std::uint8_t> cast = caster.shadow(part, rays, where);
         parallel_for(cast.height(), 64, [&](int y) {
             for (int x = 0; x < cast.width(); ++x)

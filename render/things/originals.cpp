@@ -211,6 +211,23 @@ Original grown(Kind kind, Draws& draw) {
 
 }  // namespace
 
+std::vector<std::array<float, 3>> normals_of(const Original::Part& part) {
+    std::vector<Vec3> sums(part.vertices.size());
+    const auto at = [&](std::uint32_t i) {
+        return Vec3{part.vertices[i][0], part.vertices[i][1], part.vertices[i][2]};
+    };
+    for (const auto& [a, b, c] : part.triangles) {
+        const Vec3 n = cross(at(b) - at(a), at(c) - at(a));
+        for (const std::uint32_t i : {a, b, c}) sums[i] = sums[i] + n;
+    }
+    std::vector<std::array<float, 3>> normals;
+    for (const Vec3& sum : sums) {
+        const Vec3 n = normalized(sum);
+        normals.push_back({float(n.x), float(n.y), float(n.z)});
+    }
+    return normals;
+}
+
 Original original_of(Kind kind, int number) {
     Draws draw(kind, number);
     Original original = grown(kind, draw);

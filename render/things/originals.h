@@ -21,6 +21,9 @@ struct Original {
     std::vector<Part> parts;
 };
 
+// The normals of a part's corners, by the faces around them.
+std::vector<std::array<float, 3>> normals_of(const Original::Part& part);
+
 // So many different ones of each kind.
 inline constexpr int kOriginals = 4;
 Original original_of(ThingOptions::Kind kind, int number);
