@@ -193,6 +193,7 @@ std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea
     At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
     clipped_by {{ Land }}
     texture {{ MeanGround }}
+    hollow // haze fills the box too
 }}
 {}plane {{
     y, OutskirtsHeight / Unit

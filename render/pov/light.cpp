@@ -122,18 +122,18 @@ std::string stars(const Shot& shot) {
     return fmt::format(R"(// Stars, behind all land.
 #declare StarsAt = At({});
 #declare StarDistance = 2000 * LandSize / Unit;
-#declare StarSize = 0.75 * StarDistance * radians({}) / image_width;
+#declare StarSize = 0.7 * StarDistance * radians({}) / image_width;
 #declare Chance = seed(7);
 #for (I, 1, 5000)
     #declare StarUp = rand(Chance);
     #declare StarTurn = 360 * rand(Chance);
-    #declare Brightness = min(pow(rand(Chance), -0.78), 60);
+    #declare Brightness = min(pow(rand(Chance), -0.78), 30);
     #declare Warmth = rand(Chance) - 0.5;
     sphere {{
         StarsAt + StarDistance * vrotate(<sqrt(1 - StarUp * StarUp), StarUp, 0>, StarTurn * y)
         StarSize
         pigment {{ color rgb 1 }}
-        finish {{ emission SkyLight + 0.012 * Brightness * <1 + Warmth / 4, 1, 1 - Warmth / 4> diffuse 0 }}
+        finish {{ emission SkyLight + 0.04 * Brightness * <1 + Warmth / 4, 1, 1 - Warmth / 4> diffuse 0 }}
         no_shadow no_reflection no_radiosity
     }}
 #end

@@ -115,10 +115,10 @@ Vec3 Atmosphere::air_light(Vec3 direction, double distance) const {
     return 1.0 / std::max(1e-6, 1.0 - way.passed.y) * way.light;
 }
 
-double Atmosphere::extinction(const SkyOptions& options) {
+double Atmosphere::extinction(const SkyOptions& options, double altitude) {
     const bool dust = options.dust.has_value();
-    return std::exp(-kEye / kRayleighHeight) * (dust ? kThinAir : 1.0) * kRayleigh.y +
-           std::exp(-kEye / (dust ? kDustHeight : kAerosolHeight)) *
+    return std::exp(-altitude / kRayleighHeight) * (dust ? kThinAir : 1.0) * kRayleigh.y +
+           std::exp(-altitude / (dust ? kDustHeight : kAerosolHeight)) *
                aerosol_of(options.turbidity, dust).y;
 }
 

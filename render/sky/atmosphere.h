@@ -20,8 +20,8 @@ class Atmosphere {
     // The same of the air along the first metres of the way, as if it took all light that
     // the same air takes of green.
     Vec3 air_light(Vec3 direction, double distance) const;
-    // There, of green light, per metre.
-    static double extinction(const SkyOptions& options);
+    // Of green light, per metre, so high above the sea.
+    static double extinction(const SkyOptions& options, double altitude);
     // Of the light itself there: the mean over its disc, part of which may have set.
     Vec3 sun_colour() const;
 

@@ -11,6 +11,7 @@ namespace cydonia::render {
 namespace {
 
 constexpr double kKoschmieder = 3.912;  // -log 0.02
+constexpr double kLand = 2000.0;        // metres above the sea
 constexpr double kEndless = 1e9;        // metres
 // Less of the sky than this is not worked back to: half floats would show steps.
 constexpr double kLeastThrough = 0.03;
@@ -21,7 +22,7 @@ constexpr int kFineRows = 1024;  // haze changes within a tenth of a degree ther
 double visibility(const SkyOptions& sky, const HazeOptions& haze, double width) {
     if (!sky.air) return 0.0;
     if (haze.visibility) return haze.visibility->in(width);
-    return kKoschmieder / Atmosphere::extinction(sky);
+    return kKoschmieder / Atmosphere::extinction(sky, kLand);
 }
 
 double through_haze(double visibility, double eye, double up, double distance) {

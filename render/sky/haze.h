@@ -11,7 +11,8 @@ namespace cydonia::render {
 inline constexpr double kHazeHeight = 1200.0;  // metres, of all aerosols
 
 // Where 2 % of a contrast is left at the lowest ground (Koschmieder), metres; 0: no haze.
-// By default that of the sky's own air 500 m above the sea. `width` of the land.
+// By default that of the sky's own air 2000 m above the sea, as over mountains: films
+// take clear days. `width` of the land.
 double visibility(const SkyOptions& sky, const HazeOptions& haze, double width);
 
 // The share of light that passes from an eye so far above the lowest ground along a

@@ -39,9 +39,9 @@ double phase_light(double lit_share) {
 // What the light is outside the air. An eye that sees by moonlight sees little colour and
 // all of it blue: Jensen et al. 2001, section 5, shift white to the chromaticity
 // (0.25, 0.25), which is too much for a film; of that shift this is a half, luminance
-// kept. Of the sky's own colour two fifths are left.
+// kept. Of the sky's own colour a fifth is left.
 constexpr Vec3 kMoonlight{0.842, 1.012, 1.345};
-constexpr double kNightSaturation = 0.4;
+constexpr double kNightSaturation = 0.2;
 
 // Overcast, 6900 K against the sun outside the air.
 constexpr Vec3 kOvercastColour{0.961, 1.007, 1.046};
