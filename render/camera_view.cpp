@@ -94,6 +94,18 @@ double outskirts_height(const Terrain& t) {
     return lowest;
 }
 
+double pixel_size(const Camera& c) {
+    return pixel_side(c) * (c.projection == Camera::Projection::kOrthographic
+                                ? 1.0
+                                : length(c.target - c.eye));
+}
+
+bool is_smooth(const Camera& c, double spacing) {
+    constexpr double kSmall = 4.0;  // pixels
+    return c.projection == Camera::Projection::kPerspective &&
+           spacing > kSmall * pixel_size(c);
+}
+
 double aspect(const Camera& c) { return static_cast<double>(c.width) / c.height; }
 
 Vec3 seen(const Camera& c, const Vec3& p) { return CameraAxes(c)(p); }

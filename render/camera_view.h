@@ -21,6 +21,13 @@ Around around_of(const Terrain& terrain, const Options& options);
 // Of the level country around the land: that of its lowest border.
 double outskirts_height(const Terrain& terrain);
 
+// What a pixel covers where the camera looks, metres.
+double pixel_size(const Camera& camera);
+// Whether land of such a spacing is shaded between the corners of its mesh. From above
+// flat triangles show what the shadow check casts; so do triangles of a few pixels, which
+// need no smoothing and of which POV-Ray's smooth ones let sunlight through at crests.
+bool is_smooth(const Camera& camera, double spacing);
+
 double aspect(const Camera& camera);  // width over height of its frame
 // A point as the camera sees it: to the right, up and forward, metres.
 Vec3 seen(const Camera& camera, const Vec3& point);

@@ -61,13 +61,6 @@ std::string perspective(const Camera& c, Quality quality) {
 
 }  // namespace
 
-double pixel_size(const Camera& camera) {
-    if (camera.projection == Camera::Projection::kOrthographic)
-        return camera.frame_width / camera.width;
-    const double across = 2.0 * std::tan(0.5 * camera.field_of_view);
-    return across * length(camera.target - camera.eye) / camera.width;
-}
-
 std::string camera(const Shot& shot) {
     const Camera& c = shot.camera;
     return c.projection == Camera::Projection::kOrthographic

@@ -112,12 +112,11 @@ std::string ground_under_radiosity(const Shot& shot) {
                        bumps(shot));
 }
 
-// Flat triangles are what the shadow check casts, so a map shows them. POV-Ray's smooth
-// normals (the surface stays) are stored in 16 bits over a grid as high as 65535 and as
-// wide as its samples: off by up to Spacing / Relief radians, too little to show in
-// perspective, where facets would.
-const char* smoothness(const Camera& camera) {
-    return camera.projection == Camera::Projection::kPerspective ? " smooth" : "";
+// POV-Ray's smooth normals (the surface stays) are stored in 16 bits over a grid as high
+// as 65535 and as wide as its samples: off by up to Spacing / Relief radians, too little
+// to show in perspective, where facets would.
+const char* smoothness(const Shot& shot, double spacing) {
+    return is_smooth(shot.camera, spacing) ? " smooth" : "";
 }
 
 }  // namespace
@@ -149,7 +148,7 @@ std::string land_numbers(const Heights16& heights, double spacing) {
         number(heights.range), number(metres_a_unit(std::max(width, depth))));
 }
 
-std::string ground(const Shot& shot) {
+std::string ground(const Shot& shot, double spacing) {
     return fmt::format(
         R"(// The ground's colour covers the cells, draped from above.
 #declare FromAbove = transform {{ rotate 90 * x scale At(LandWidth, LandDepth, Unit) }}
@@ -168,7 +167,7 @@ object {{ Land texture {{ Ground }} }}
 )",
         has_radiosity(shot.quality) ? ground_under_radiosity(shot)
                                     : kGroundUnderVisibility,
-        smoothness(shot.camera));
+        smoothness(shot, spacing));
 }
 
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "field/quantise.h"
+#include "render/camera_view.h"
 #include "render/pov/scene.h"
 #include "render/pov/water.h"
 
@@ -25,9 +26,6 @@ bool has_radiosity(Quality quality);
 // A map has no haze: it would only veil.
 bool has_haze(const Shot& shot);
 
-// What a pixel covers where the camera looks, metres.
-double pixel_size(const Camera& camera);
-
 std::string land_numbers(const Heights16& heights, double spacing);
 std::string light_numbers(const Shot& shot, double land_width);
 std::string settings(const Shot& shot);
@@ -45,7 +43,7 @@ struct CloudShade {
     double size;
 };
 std::string cloud_shade(const CloudShade& shade);
-std::string ground(const Shot& shot);
+std::string ground(const Shot& shot, double spacing);
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
 std::string flood(const Shot& shot);  // all that lies below one level
 std::string water(const Shot& shot, const WaterSurface& surface);
