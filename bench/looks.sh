@@ -38,7 +38,7 @@ all() {
     draw green hills
     draw autumn v-valley render.sun.elevation=20
     draw tundra fault
-    draw storm island 'render.sky.clouds="broken"'
+    draw storm island
     draw karst tower-karst
     draw desert mesa
     draw canyon grand-canyon
