@@ -129,7 +129,7 @@ CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) 
         return {(1.0 - through) * (scattered(cosine, 0.3) * sunlight + skylight),
                 through};
     }
-    constexpr int kSteps = 24, kTowardSun = 5;
+    constexpr int kSteps = 96, kTowardSun = 5;  // fewer show as steps
     const double near = distance_to(direction.z, kHeapBase);
     const double far = distance_to(direction.z, kHeapBase + kHeapHeight);
     const double step = (far - near) / kSteps;
