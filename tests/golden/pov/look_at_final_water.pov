@@ -34,9 +34,10 @@
 #declare SunLight     = rgb <0.74, 0.5847, 0.4077>;
 #declare SkyLight     = rgb <0.07031, 0.09493, 0.141>; // of the whole sky, on level ground
 #declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
-// What the air sends back, of the sky where the camera looks.
-#declare HazeLight    = rgb <0.1012, 0.1099, 0.1239>;
-#declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
+// What the air sends back as far as the camera looks. The sky's image stands behind this
+// haze: change both together.
+#declare HazeLight    = rgb <0.07467, 0.1068, 0.1619>;
+#declare Visibility   = 114051; // metres at which haze takes over
 
 global_settings {
     assumed_gamma 1.0
@@ -80,7 +81,7 @@ sky_sphere {
 
 // Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
 // distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-#declare HazeHeight = LandSize / 16; // metres
+#declare HazeHeight = 1200; // metres
 fog {
     fog_type 2 up y
     distance Visibility / 3.912 / Unit
@@ -106,7 +107,7 @@ fog {
 
 // The heights are corners of the surface, which so ends half a cell inside the land.
 #declare Land = height_field {
-    png "heights.png" gamma 1.0 smooth
+    png "heights.png" gamma 1.0
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
 }
@@ -124,31 +125,26 @@ object { Land texture { Ground } }
     #end
 #end
 #declare MeanGround = texture { pigment { color MeanColour } }
-box {
+#declare Sides = box {
     At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
     At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
     clipped_by { Land }
     texture { MeanGround }
+    hollow // haze fills the box too
 }
+object { Sides }
+#declare Around = 0; // lands on each side of the land
 plane {
     y, OutskirtsHeight / Unit
     clipped_by {
         box {
-            At(Spacing / 2, Spacing / 2, -1e6),
-            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
+            At((Around + 1) * LandWidth - Spacing / 2,
+               (Around + 1) * LandDepth - Spacing / 2, 1e6)
             inverse
         }
     }
-    // It thins out until the sky's horizon, which goes on below, is all that is left.
-    texture {
-        spherical
-        texture_map {
-            [0 pigment { color rgbt <1, 1, 1, 1> } finish { diffuse 0 } ]
-            [0.6 MeanGround ]
-        }
-        scale 1.15 * LandSize / Unit
-        translate Middle
-    }
+    texture { MeanGround }
 }
 
 // Water: dark by itself, it mirrors the sky where it is seen at a low angle.
@@ -157,8 +153,7 @@ plane {
     pigment { color rgb <0.004, 0.016, 0.022> }
     normal {
         average normal_map {
-            [1 bumps 0.05 scale 17 / Unit ]
-            [1 bumps 0.05 scale 70 / Unit ]
+            [1 bumps 0.008 scale 70 / Unit ]
         }
     }
     finish { reflection { 0, 1 fresnel on } conserve_energy }
@@ -167,7 +162,10 @@ plane {
     y, WaterLevel / Unit
     #if (WaterLevel < OutskirtsHeight) // a lake: not under the outskirts
         clipped_by {
-            box { At(0, 0, -1e6), At(LandWidth, LandDepth, 1e6) }
+            box {
+                At(-Around * LandWidth, -Around * LandDepth, -1e6),
+                At((Around + 1) * LandWidth, (Around + 1) * LandDepth, 1e6)
+            }
         }
     #end
     texture { Water }

@@ -34,9 +34,10 @@
 #declare SunLight     = rgb <0.74, 0.5847, 0.4077>;
 #declare SkyLight     = rgb <0.07031, 0.09493, 0.141>; // of the whole sky, on level ground
 #declare SkyFill      = 1; // above 1 opens the shadows; the visible sky stays
-// What the air sends back, of the sky where the camera looks.
-#declare HazeLight    = rgb <0.1492, 0.1476, 0.1496>;
-#declare Visibility   = 0 + 12 * LandWidth; // metres at which haze takes over
+// What the air sends back as far as the camera looks. The sky's image stands behind this
+// haze: change both together.
+#declare HazeLight    = rgb <0.1105, 0.1436, 0.1957>;
+#declare Visibility   = 114051; // metres at which haze takes over
 
 global_settings {
     assumed_gamma 1.0
@@ -71,7 +72,7 @@ sky_sphere {
 
 // Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the
 // distance called visibility 2 % of a contrast is left (Koschmieder): exp(-3.912).
-#declare HazeHeight = LandSize / 16; // metres
+#declare HazeHeight = 1200; // metres
 fog {
     fog_type 2 up y
     distance Visibility / 3.912 / Unit
@@ -97,7 +98,7 @@ fog {
 
 // The heights are corners of the surface, which so ends half a cell inside the land.
 #declare Land = height_field {
-    png "heights.png" gamma 1.0 smooth
+    png "heights.png" gamma 1.0
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
 }
@@ -115,18 +116,22 @@ object { Land texture { Ground } }
     #end
 #end
 #declare MeanGround = texture { pigment { color MeanColour } finish { emission SkyLight * SkyFill } }
-box {
+#declare Sides = box {
     At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
     At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
     clipped_by { Land }
     texture { MeanGround }
+    hollow // haze fills the box too
 }
+object { Sides }
+#declare Around = 0; // lands on each side of the land
 plane {
     y, OutskirtsHeight / Unit
     clipped_by {
         box {
-            At(Spacing / 2, Spacing / 2, -1e6),
-            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
+            At((Around + 1) * LandWidth - Spacing / 2,
+               (Around + 1) * LandDepth - Spacing / 2, 1e6)
             inverse
         }
     }
@@ -139,8 +144,7 @@ plane {
     pigment { color rgbt <0.02, 0.08, 0.11, 0.8> }
     normal {
         average normal_map {
-            [1 bumps 0.05 scale 17 / Unit ]
-            [1 bumps 0.05 scale 70 / Unit ]
+            [1 bumps 0.008 scale 70 / Unit ]
         }
     }
     finish {
@@ -152,7 +156,7 @@ plane {
 
 // Their surface is at its level where they are and under the land beside the shore, which
 // hides it; elsewhere it is cut away.
-height_field {
+#declare Lakes = height_field {
     png "water.png" gamma 1.0 water_level 0.5 / 65535
     scale At(LandWidth - Spacing, LandDepth - Spacing, 510)
     translate At(Spacing / 2, Spacing / 2, -10)
@@ -160,6 +164,7 @@ height_field {
     interior { InWater }
     no_shadow
 }
+object { Lakes }
 
 // The sea goes on around the land.
 plane {

@@ -84,7 +84,7 @@ sky_sphere {
 
 // The heights are corners of the surface, which so ends half a cell inside the land.
 #declare Land = height_field {
-    png "heights.png" gamma 1.0 smooth
+    png "heights.png" gamma 1.0
     scale At(LandWidth - Spacing, LandDepth - Spacing, Relief)
     translate At(Spacing / 2, Spacing / 2, BaseHeight)
 }
@@ -102,18 +102,22 @@ object { Land texture { Ground } }
     #end
 #end
 #declare MeanGround = texture { pigment { color MeanColour } finish { emission SkyLight * SkyFill } }
-box {
+#declare Sides = box {
     At(Spacing / 2, Spacing / 2, BaseHeight) + 1e-4,
     At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, BaseHeight + 2 * Relief) - 1e-4
     clipped_by { Land }
     texture { MeanGround }
+    hollow // haze fills the box too
 }
+object { Sides }
+#declare Around = 0; // lands on each side of the land
 plane {
     y, OutskirtsHeight / Unit
     clipped_by {
         box {
-            At(Spacing / 2, Spacing / 2, -1e6),
-            At(LandWidth - Spacing / 2, LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
+            At((Around + 1) * LandWidth - Spacing / 2,
+               (Around + 1) * LandDepth - Spacing / 2, 1e6)
             inverse
         }
     }
