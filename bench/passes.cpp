@@ -24,7 +24,7 @@ int main() try {
     const Field<Rgb> beauty(camera.width, camera.height, Rgb{0.2f, 0.3f, 0.1f});
 
     const bench::Stopwatch all;
-    const View view(land, {});
+    const View view(land, {.around = Around::kLand});
     const double built = all.seconds();
     const Field<SeenPoint> points = view.seen(CameraRays(camera), true);
     const double seen = all.seconds();
@@ -42,12 +42,13 @@ int main() try {
         written, bench::peak_mebibytes());
 
     Shot shot;
+    shot.around = Around::kLand;
     shot.sun = {radians(315.0), radians(25.0)};
     CameraOptions small = options;
     small.size = {960, 540};
     shot.camera = place(small, land, Quality::kFinal);
     const bench::Stopwatch preview;
-    picture_of(preview_frame(shot, land, Style::kNatural), shot.options.colour);
+    picture_of(preview_frame(shot, land), shot.options.colour);
     fmt::print("preview {}x{}: {:.2f} s, asked 1\n", shot.camera.width,
                shot.camera.height, preview.seconds());
 } catch (const cydonia::Error& error) {

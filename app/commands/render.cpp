@@ -10,10 +10,11 @@ namespace {
 
 void add_engine(CLI::App& command, Request& request) {
     using render::Style;
-    static const std::map<std::string, Style> kStyles = {{"natural", Style::kNatural},
-                                                         {"grey", Style::kGrey},
-                                                         {"height", Style::kHeight},
-                                                         {"slope", Style::kSlope}};
+    static const std::map<std::string, Style> kStyles = {
+        {"natural", Style::kNatural},  {"grey", Style::kGrey},
+        {"height", Style::kHeight},    {"slope", Style::kSlope},
+        {"ink", Style::kInk},          {"contours", Style::kContours},
+        {"radiance", Style::kRadiance}};
     const auto engine = [&request](const std::string& name) {
         if (name == "embree" && !request.preview) request.preview = Style::kNatural;
     };
@@ -27,7 +28,9 @@ void add_engine(CLI::App& command, Request& request) {
     };
     command
         .add_option_function<std::string>(
-            "--style", style, "of embree: natural, grey, height or slope [natural]")
+            "--style", style,
+            "of embree: natural, grey, height, slope, ink, contours or "
+            "radiance [natural]")
         ->check(CLI::IsMember(kStyles).description(""))
         ->type_name("NAME")
         ->needs("--engine");

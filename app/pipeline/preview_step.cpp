@@ -6,6 +6,7 @@
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "field/files.h"
+#include "render/embree/diagram.h"
 #include "render/embree/preview_frame.h"
 #include "render/frames/frame.h"
 
@@ -25,12 +26,13 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
     const auto run = [&job, camera, file, style]() -> Made {
         make_folder(job.folder / "frames");
         const Terrain& terrain = job.land.drawn();
+        const render::Shot shot = shot_of(camera, job, terrain);
         render::ColourOptions colour = job.spec.render.colour;
         colour.exposure += camera.exposure;
         write_png(job.folder / file,
-                  render::picture_of(render::preview_frame(shot_of(camera, job, terrain),
-                                                           terrain, style),
-                                     colour));
+                  style == render::Style::kNatural
+                      ? render::picture_of(render::preview_frame(shot, terrain), colour)
+                      : render::diagram(shot, terrain, style));
         return {{file}};
     };
     return {.name = fmt::format("preview {} {}", camera.name, name_of(style)),
@@ -41,7 +43,8 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
 }
 
 std::string_view name_of(render::Style style) {
-    constexpr std::string_view kNames[] = {"natural", "grey", "height", "slope"};
+    constexpr std::string_view kNames[] = {"natural", "grey",     "height",  "slope",
+                                           "ink",     "contours", "radiance"};
     return kNames[static_cast<int>(style)];
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "field/parallel.h"
 #include "field/sample.h"
+#include "render/camera_view.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
 #include "render/sky/haze.h"
@@ -20,6 +20,7 @@ constexpr int kDomeHeight = 64;
 constexpr double kWaterIndex = 1.33;
 constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
 constexpr float kWaterClear = 0.8f;
+constexpr double kAmongLeaves = 0.5;  // of the sky that the place sees
 
 Rgb operator+(const Rgb& a, const Rgb& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -68,23 +69,6 @@ Rgb bilinear(const Field<Rgb>& map, double x, double y, bool wraps) {
                  mixed(map(i0, j1), map(i1, j1), x - i), y - j);
 }
 
-// Colours at even distances along a line from 0 to 1.
-Rgb of_palette(std::span<const Rgb> colours, double at) {
-    const auto last = static_cast<double>(colours.size() - 1);
-    const double x = std::clamp(at, 0.0, 1.0) * last;
-    const auto i = std::min(static_cast<std::size_t>(x), colours.size() - 2);
-    return mixed(colours[i], colours[i + 1], x - static_cast<double>(i));
-}
-
-constexpr Rgb kHeights[] = {{0.12f, 0.06f, 0.02f}, {0.08f, 0.25f, 0.05f},
-                            {0.50f, 0.06f, 0.03f}, {0.75f, 0.25f, 0.03f},
-                            {0.80f, 0.65f, 0.08f}, {0.85f, 0.85f, 0.85f}};
-constexpr Rgb kSlopes[] = {{0.35f, 0.35f, 0.35f},
-                           {0.08f, 0.30f, 0.06f},
-                           {0.55f, 0.06f, 0.04f},
-                           {0.80f, 0.65f, 0.06f}};
-constexpr Rgb kPaper{0.25f, 0.25f, 0.25f};  // around land that is coloured
-
 // Unpolarised light from air onto water.
 double fresnel(double cosine) {
     const double other =
@@ -96,21 +80,25 @@ double fresnel(double cosine) {
 
 class Picture {
   public:
-    Picture(const Shot& shot, const Terrain& terrain, Style style)
+    Picture(const Shot& shot, const Terrain& terrain)
         : shot_(shot),
-          style_(style),
           view_(terrain, scenery_of(shot, terrain)),
           rays_(shot.camera),
           to_sun_(direction_to(shot.sun)) {
-        const auto [low, high] = std::ranges::minmax(view_.terrain().heights);
-        low_ = low, high_ = std::max(high, low + 1.0f);
-        if (style != Style::kNatural) return;
+        low_ = *std::ranges::min_element(view_.terrain().heights);
         const Terrain small = painted(terrain);
         albedo_ = ground_albedo(small, shot.options.ground, 1);
         for (const Rgb& colour : albedo_)
             mean_ = mean_ + (1.0 / static_cast<double>(albedo_.size())) * colour;
-        sky_visible_ = sky_visibility(small.heights, small.spacing);
+        // Smooth enough for every other of those.
+        const Field<float> rough =
+            resized(small.heights, std::max(2, small.heights.width() / 2),
+                    std::max(2, small.heights.height() / 2));
+        sky_visible_ = sky_visibility(rough, terrain.width() / rough.width());
         light_ = daylight(shot.sun, shot.options.sky);
+        const Vec3 look = shot.camera.target - shot.camera.eye;
+        air_ = air_light(shot.sun, shot.options.sky, std::atan2(look.x, look.y),
+                         shot.camera.field_of_view);
         dome_ = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
         const double visibility =
             render::visibility(shot.options.sky, shot.options.haze, terrain.width());
@@ -121,19 +109,15 @@ class Picture {
     }
 
     Field<Rgb> drawn() const {
-        const bool smooth = shot_.camera.projection == Camera::Projection::kPerspective;
+        const bool smooth = is_smooth(shot_.camera, view_.terrain().spacing);
         const Field<SeenPoint> points = view_.seen(rays_, smooth);
-        Field<float> shadow;
-        if (style_ == Style::kNatural)
-            shadow = view_.shadow(points, shot_.sun, View::SunAs::kPoint);
+        const Field<float> shadow = view_.shadow(points, shot_.sun, View::SunAs::kPoint);
         Field<Rgb> frame(points.width(), points.height());
         parallel_for(frame.height(), 4, [&](int y) {
             for (int x = 0; x < frame.width(); ++x) {
                 const SeenPoint& p = points(x, y);
                 const Ray ray = rays_.through(x + 0.5, y + 0.5);
-                frame(x, y) = style_ == Style::kNatural
-                                  ? natural(p, ray, shadow(x, y) > 0.0f)
-                                  : diagram(p);
+                frame(x, y) = natural(p, ray, shadow(x, y) > 0.0f);
             }
         });
         return frame;
@@ -151,22 +135,26 @@ class Picture {
     }
 
     Rgb ground(const SeenPoint& p) const {
+        if (p.surface == Surface::kThing) return view_.albedo(p);
         if (p.surface == Surface::kSide || p.surface == Surface::kOutskirts) return mean_;
         const Terrain& land = view_.terrain();
-        const bool beyond = p.at[0] < 0.0f || p.at[1] < 0.0f || p.at[0] > land.width() ||
-                            p.at[1] > land.depth();
-        if (beyond) return {};  // the open sea is deep
-        return bilinear(albedo_, p.at[0] / land.width() * albedo_.width() - 0.5,
-                        (1.0 - p.at[1] / land.depth()) * albedo_.height() - 0.5, false);
+        if (p.surface == Surface::kWater && shot_.around == Around::kLevel &&
+            !over_land(land, vec(p.at)))
+            return {};  // the open sea is deep
+        const auto [east, north] = view_.on_land(p);
+        return bilinear(albedo_, east / land.width() * albedo_.width() - 0.5,
+                        (1.0 - north / land.depth()) * albedo_.height() - 0.5, false);
     }
 
     double visible(const SeenPoint& p) const {
         if (p.surface == Surface::kSide) return 0.5;
-        if (p.surface != Surface::kLand) return 1.0;
+        if (p.surface != Surface::kLand && p.surface != Surface::kThing) return 1.0;
         const Terrain& land = view_.terrain();
-        return cydonia::bilinear(
-            sky_visible_, p.at[0] / land.width() * sky_visible_.width() - 0.5,
-            (1.0 - p.at[1] / land.depth()) * sky_visible_.height() - 0.5);
+        const auto [east, north] = view_.on_land(p);
+        const double seen = cydonia::bilinear(
+            sky_visible_, east / land.width() * sky_visible_.width() - 0.5,
+            (1.0 - north / land.depth()) * sky_visible_.height() - 0.5);
+        return p.surface == Surface::kThing ? kAmongLeaves * seen : seen;
     }
 
     Rgb natural(const SeenPoint& p, const Ray& ray, bool shadowed) const {
@@ -198,39 +186,26 @@ class Picture {
         const double mean = std::abs(to - from) < 1e-6
                                 ? here(from)
                                 : (below(to) - below(from)) / (to - from);
-        return mixed(light_.horizon, colour, std::exp(-thickness_ * mean * distance));
+        return mixed(air_, colour, std::exp(-thickness_ * mean * distance));
     }
     static double square(double v) { return v * v; }
 
-    Rgb diagram(const SeenPoint& p) const {
-        if (p.surface == Surface::kSky || p.surface == Surface::kOutskirts) return kPaper;
-        const Vec3 normal = vec(p.normal);
-        const double shade = 0.25 + 0.75 * std::max(0.0, dot(normal, to_sun_));
-        if (style_ == Style::kGrey) return shade * Rgb{0.7f, 0.7f, 0.7f};
-        if (p.surface == Surface::kWater) return shade * Rgb{0.05f, 0.15f, 0.35f};
-        if (style_ == Style::kHeight)
-            return shade * of_palette(kHeights, (p.at[2] - low_) / (high_ - low_));
-        const double slope = std::acos(std::clamp(normal.z, -1.0, 1.0));
-        return shade * of_palette(kSlopes, slope / radians(60.0));
-    }
-
     const Shot& shot_;
-    Style style_;
     View view_;
     CameraRays rays_;
     Vec3 to_sun_;
-    float low_ = 0.0f, high_ = 1.0f;
+    float low_ = 0.0f;
     Field<Rgb> albedo_, dome_;
     Field<float> sky_visible_;
     Daylight light_{};
-    Rgb mean_{};
+    Rgb mean_{}, air_{};
     double thickness_ = 0.0, haze_height_ = 1.0;
 };
 
 }  // namespace
 
-Field<Rgb> preview_frame(const Shot& shot, const Terrain& terrain, Style style) {
-    return Picture(shot, terrain, style).drawn();
+Field<Rgb> preview_frame(const Shot& shot, const Terrain& terrain) {
+    return Picture(shot, terrain).drawn();
 }
 
 }  // namespace cydonia::render

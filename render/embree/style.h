@@ -2,13 +2,16 @@
 
 namespace cydonia::render {
 
-// How a preview shows the land. The last three are those of J. Brosz, "Terrain Modeling
-// by Example" (2007), section 6.
+// How a preview shows the land. Grey to ink are those of J. Brosz, "Terrain Modeling by
+// Example" (2007), section 6.
 enum class Style {
-    kNatural,  // as the frame will be: ground, sun, sky, haze, water
-    kGrey,     // grey, lit by the sun without shadows
-    kHeight,   // coloured by height: brown, green, red, orange, yellow, white
-    kSlope,    // coloured by slope, from the steepest: yellow, red, green, grey
+    kNatural,   // as the frame will be: ground, sun, sky, haze, water, things
+    kGrey,      // grey, lit by the sun without shadows
+    kHeight,    // coloured by height: brown, green, red, orange, yellow, white
+    kSlope,     // coloured by slope, from the steepest: yellow, red, green, grey
+    kInk,       // pen strokes down the slopes that are dark or seen at a low angle
+    kContours,  // lit, with lines of equal height and a grid, both at round intervals
+    kRadiance,  // grey, crests brightened and hollows darkened
 };
 
 }  // namespace cydonia::render
