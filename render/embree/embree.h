@@ -77,32 +77,50 @@ inline void lay_instance(const Device& device, const Scene& scene, RTCScene what
     rtcAttachGeometry(scene.get(), instance.get());
 }
 
+// How rays are followed. Of scenes of instances one by one: followed together through
+// them, those of Embree 3.13 may never come back.
+enum class Follow { kTogether, kAlone };
+
+#if RTC_VERSION_MAJOR >= 4
+inline RTCRayQueryFlags flags(Follow follow) {
+    return follow == Follow::kTogether ? RTC_RAY_QUERY_FLAG_COHERENT
+                                       : RTC_RAY_QUERY_FLAG_INCOHERENT;
+}
+#else
+inline RTCIntersectContextFlags flags(Follow follow) {
+    return follow == Follow::kTogether ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                       : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+#endif
+
 // Marks the rays of a packet that meet the scene: tfar becomes -inf.
-inline void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
+inline void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays,
+                          Follow follow = Follow::kTogether) {
 #if RTC_VERSION_MAJOR >= 4
     RTCOccludedArguments how;
     rtcInitOccludedArguments(&how);
-    how.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    how.flags = flags(follow);
     rtcOccluded16(valid, scene, &rays, &how);
 #else
     RTCIntersectContext how;
     rtcInitIntersectContext(&how);
-    how.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    how.flags = flags(follow);
     rtcOccluded16(valid, scene, &how, &rays);
 #endif
 }
 
 // Finds where each ray of a packet first meets the scene: its tfar, and hit.geomID.
-inline void find_hits(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+inline void find_hits(RTCScene scene, const int* valid, RTCRayHit16& rays,
+                      Follow follow = Follow::kTogether) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments how;
     rtcInitIntersectArguments(&how);
-    how.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    how.flags = flags(follow);
     rtcIntersect16(valid, scene, &rays, &how);
 #else
     RTCIntersectContext how;
     rtcInitIntersectContext(&how);
-    how.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    how.flags = flags(follow);
     rtcIntersect16(valid, scene, &how, &rays);
 #endif
 }

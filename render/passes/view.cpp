@@ -207,7 +207,9 @@ void View::Scene::meet(const embree::Scene& scene, const Rays& rays, Surface sur
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         valid[i] = -1;
     }
-    embree::find_hits(scene.get(), valid.data(), packet);
+    const bool copies = &scene != &land && (!water || &scene != &*water);
+    embree::find_hits(scene.get(), valid.data(), packet,
+                      copies ? embree::Follow::kAlone : embree::Follow::kTogether);
     const auto& hit = packet.hit;
     for (std::size_t i = 0; i < kRays; ++i) {
         const double distance = packet.ray.tfar[i] * space.unit;
@@ -300,13 +302,14 @@ View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
     std::fill_n(packet.dir_z, kRays, way.z);
     std::fill_n(packet.tfar, kRays, std::numeric_limits<float>::infinity());
     std::fill_n(packet.mask, kRays, ~0u);
-    const auto mark = [&](const embree::Scene& scene) {
-        embree::mark_occluded(scene.get(), valid.data(), packet);
+    const auto mark = [&](const embree::Scene& scene, embree::Follow follow) {
+        if (std::ranges::none_of(valid, [](int v) { return v != 0; })) return;
+        embree::mark_occluded(scene.get(), valid.data(), packet, follow);
         for (std::size_t i = 0; i < kRays; ++i)
             if (valid[i] && packet.tfar[i] < 0.0f) result[i] = -1, valid[i] = 0;
     };
-    mark(land);
-    if (things) mark(things->scene());
+    mark(land, embree::Follow::kTogether);
+    if (things) mark(things->scene(), embree::Follow::kAlone);
     return result;
 }
 
