@@ -34,7 +34,9 @@ constexpr Name<render::Clouds> kClouds[] = {
 };
 
 // Added before the view where it is night: a frame's own exposure would make it day.
-constexpr double kNightExposure = -2.5;  // EV
+constexpr double kNightExposure = -1.8;  // EV
+// Under a white sky it would leave the land in the dark.
+constexpr double kOvercastExposure = 0.7;
 
 // A sun that lights, down to the end of civil twilight.
 struct Lighting {};
@@ -142,7 +144,10 @@ void read(Table& t, RenderTable& out) {
         !o.ground.snow_line || std::ranges::any_of(o.ground.look.layers, is_snow),
         {"ground"},
         "the look '" + o.ground.look.name + "' has no snow that a snow_line could move");
-    if (o.sky.moon > 0.0) o.colour.exposure += kNightExposure;
+    if (o.sky.moon > 0.0)
+        o.colour.exposure += kNightExposure;
+    else if (o.sky.clouds == render::Clouds::kOvercast)
+        o.colour.exposure += kOvercastExposure;
     t.table("colour", o.colour);
     t.table("passes", o.passes);
     out.text = t.record().text();
