@@ -100,10 +100,13 @@ double pixel_size(const Camera& c) {
                                 : length(c.target - c.eye));
 }
 
-bool is_smooth(const Camera& c, double spacing) {
+bool is_smooth(const Camera& c, const Terrain& terrain) {
     constexpr double kSmall = 4.0;  // pixels
-    return c.projection == Camera::Projection::kPerspective &&
-           spacing > kSmall * pixel_size(c);
+    if (c.projection == Camera::Projection::kOrthographic) return false;
+    // The nearest ground in most frames is a few times as far as the eye is high.
+    const double high = c.eye.z - ground_at(terrain, c.eye.x, c.eye.y);
+    const double nearest = std::min(length(c.target - c.eye), 3.0 * std::max(high, 0.0));
+    return terrain.spacing > kSmall * pixel_side(c) * nearest;
 }
 
 double aspect(const Camera& c) { return static_cast<double>(c.width) / c.height; }

@@ -23,10 +23,10 @@ double outskirts_height(const Terrain& terrain);
 
 // What a pixel covers where the camera looks, metres.
 double pixel_size(const Camera& camera);
-// Whether land of such a spacing is shaded between the corners of its mesh. From above
-// flat triangles show what the shadow check casts; so do triangles of a few pixels, which
-// need no smoothing and of which POV-Ray's smooth ones let sunlight through at crests.
-bool is_smooth(const Camera& camera, double spacing);
+// Whether land is shaded between the corners of its mesh. From above flat triangles show
+// what the shadow check casts; those of a few pixels need no smoothing, and POV-Ray's
+// smooth ones let sunlight through at crests.
+bool is_smooth(const Camera& camera, const Terrain& terrain);
 
 double aspect(const Camera& camera);  // width over height of its frame
 // A point as the camera sees it: to the right, up and forward, metres.

@@ -54,14 +54,16 @@ std::uint64_t emit_key(const Job& job, const std::string& what) {
 
 render::Shot shot_of(const render::CameraOptions& camera, const Job& job,
                      const Terrain& terrain) {
-    return {
-        job.spec.title,
-        camera.name,
-        render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water),
-        chosen_sun(camera, job.spec.render, terrain),
-        job.spec.render,
-        job.request.quality,
-        render::around_of(terrain, job.spec.render)};
+    const Camera view =
+        render::place(camera, terrain, job.request.quality, 0.0, job.spec.render.water);
+    return {job.spec.title,
+            camera.name,
+            view,
+            chosen_sun(camera, job.spec.render, terrain),
+            job.spec.render,
+            job.request.quality,
+            render::around_of(terrain, job.spec.render),
+            render::is_smooth(view, terrain)};
 }
 
 Step assets_step(Job& job) {

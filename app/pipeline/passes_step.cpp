@@ -6,7 +6,6 @@
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "field/image.h"
-#include "render/camera_view.h"
 #include "render/passes/passes.h"
 
 namespace cydonia {
@@ -39,8 +38,7 @@ Made make_passes(Job& job, const render::CameraOptions& camera) {
     const render::Shot shot = shot_of(camera, job, terrain);
     const render::View view(terrain, render::scenery_of(shot, terrain));
     job.progress.report(0.1);
-    const bool smooth = render::is_smooth(shot.camera, terrain.spacing);
-    const auto points = view.seen(render::CameraRays(shot.camera), smooth);
+    const auto points = view.seen(render::CameraRays(shot.camera), shot.smooth);
     job.progress.report(0.4);
     const auto layers =
         render::passes(view, points, shot.sun, maps_of(job), options.which);

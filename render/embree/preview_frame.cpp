@@ -109,8 +109,7 @@ class Picture {
     }
 
     Field<Rgb> drawn() const {
-        const bool smooth = is_smooth(shot_.camera, view_.terrain().spacing);
-        const Field<SeenPoint> points = view_.seen(rays_, smooth);
+        const Field<SeenPoint> points = view_.seen(rays_, shot_.smooth);
         const Field<float> shadow = view_.shadow(points, shot_.sun, View::SunAs::kPoint);
         Field<Rgb> frame(points.width(), points.height());
         parallel_for(frame.height(), 4, [&](int y) {

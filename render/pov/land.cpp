@@ -112,13 +112,6 @@ std::string ground_under_radiosity(const Shot& shot) {
                        bumps(shot));
 }
 
-// POV-Ray's smooth normals (the surface stays) are stored in 16 bits over a grid as high
-// as 65535 and as wide as its samples: off by up to Spacing / Relief radians, too little
-// to show in perspective, where facets would.
-const char* smoothness(const Shot& shot, double spacing) {
-    return is_smooth(shot.camera, spacing) ? " smooth" : "";
-}
-
 }  // namespace
 
 std::string land_numbers(const Heights16& heights, double spacing) {
@@ -148,7 +141,10 @@ std::string land_numbers(const Heights16& heights, double spacing) {
         number(heights.range), number(metres_a_unit(std::max(width, depth))));
 }
 
-std::string ground(const Shot& shot, double spacing) {
+// POV-Ray's smooth normals (the surface stays) are stored in 16 bits over a grid as high
+// as 65535 and as wide as its samples: off by up to Spacing / Relief radians, too little
+// to show in perspective, where facets would.
+std::string ground(const Shot& shot) {
     return fmt::format(
         R"(// The ground's colour covers the cells, draped from above.
 #declare FromAbove = transform {{ rotate 90 * x scale At(LandWidth, LandDepth, Unit) }}
@@ -167,7 +163,7 @@ object {{ Land texture {{ Ground }} }}
 )",
         has_radiosity(shot.quality) ? ground_under_radiosity(shot)
                                     : kGroundUnderVisibility,
-        smoothness(shot, spacing));
+        shot.smooth ? " smooth" : "");
 }
 
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea) {

@@ -43,7 +43,7 @@ struct CloudShade {
     double size;
 };
 std::string cloud_shade(const CloudShade& shade);
-std::string ground(const Shot& shot, double spacing);
+std::string ground(const Shot& shot);
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
 std::string flood(const Shot& shot);  // all that lies below one level
 std::string water(const Shot& shot, const WaterSurface& surface);

@@ -81,7 +81,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::sky(shot);
     if (pov::has_haze(shot)) text += pov::haze();
     if (pov::has_stars(shot)) text += pov::stars(shot);
-    text += pov::ground(shot, spacing);
+    text += pov::ground(shot);
     text += pov::outskirts(shot, heights, water && water->sea);
     if (shot.options.water) text += pov::flood(shot);
     if (water) text += pov::water(shot, *water);

@@ -22,6 +22,7 @@ struct Shot {
     Options options;
     Quality quality = Quality::kPreview;
     Around around = Around::kLevel;
+    bool smooth = false;  // is_smooth (render/camera_view.h)
 };
 
 // The .pov as text, commented, to run with plain `povray` in the folder of its assets.
