@@ -24,7 +24,7 @@ Terrain land_at(const char* scene, int samples) {
     SilentProgress progress;
     const auto cache = std::filesystem::temp_directory_path() / "cydonia_resolution";
     std::filesystem::create_directories(cache);
-    Terrain land = Land(spec, cache, progress).finished();
+    Terrain land = Land(spec, render::Quality::kDraft, cache, progress).finished();
     std::filesystem::remove_all(cache);
     return land;
 }

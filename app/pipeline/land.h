@@ -58,7 +58,7 @@ class Land {
     int factor_;
     std::vector<std::uint64_t> keys_;
     std::optional<Terrain> terrain_;  // after stage_ stages
-    int stage_ = 0;  // stages() + 1: the drawn land
+    int stage_ = 0;                   // stages() + 1: the drawn land
 };
 
 }  // namespace cydonia
