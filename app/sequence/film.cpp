@@ -269,8 +269,8 @@ void look_for_ffmpeg(Progress& progress) try {
 
 std::vector<Step> day_steps(Job& job) {
     const std::uint64_t pixels = pixels_of(camera_of(job));
-    const std::uint64_t tracing =
-        std::max(memory::of_emit(job.drawn_cells()), memory::of_trace(job.drawn_cells(), pixels));
+    const std::uint64_t tracing = std::max(memory::of_emit(job.drawn_cells()),
+                                           memory::of_trace(job.drawn_cells(), pixels));
     return {{.name = "plan day",
              .goal = Goal::kSweep,
              .memory = memory::of_export(job.cells()),
