@@ -26,7 +26,7 @@ draw() {
         -o "$folder/out" "${keys[@]}"
     printf '%-12s %-14s %6.1f s\n' "$look" "$scene" \
         "$(echo "$(date +%s.%N) $begin" | awk '{ print $1 - $2 }')"
-    oiiotool "$folder"/out/frames/*.png --resize 720x0 --compression jpeg:86 \
+    oiiotool "$folder"/out/frames/*.png --resize 600x0 --compression jpeg:80 \
         -o "$pictures/$look.jpg"
     rm -rf "$folder/out" "${folder:?}/$look"
 }

@@ -20,7 +20,8 @@ int main() try {
     land.heights = fractal(1024, 1024, 600.0f, 1);
     const CameraOptions options = default_cameras().back();
     const Camera camera = place(options, land, Quality::kFinal);
-    PassMaps maps{Field<std::uint8_t>(1024, 1024, 1), Field<float>(1024, 1024, 0.9f)};
+    PassMaps maps{Field<std::uint8_t>(1024, 1024, 1), Field<std::uint8_t>(1024, 1024, 2),
+                  Field<float>(1024, 1024, 0.9f)};
     const Field<Rgb> beauty(camera.width, camera.height, Rgb{0.2f, 0.3f, 0.1f});
 
     const bench::Stopwatch all;

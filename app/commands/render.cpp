@@ -28,9 +28,7 @@ void add_engine(CLI::App& command, Request& request) {
     };
     command
         .add_option_function<std::string>(
-            "--style", style,
-            "of embree: natural, grey, height, slope, ink, contours or "
-            "radiance [natural]")
+            "--style", style, "of embree: natural, grey, ink, contours, ... [natural]")
         ->check(CLI::IsMember(kStyles).description(""))
         ->type_name("NAME")
         ->needs("--engine");

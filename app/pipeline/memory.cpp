@@ -107,7 +107,8 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         std::uint64_t operator()(const texture::Options& o) const {
             const std::uint64_t exemplars = exemplar_cells(o);
             return std::max(130 * exemplars,
-                            43 * exemplars + (o.coherent ? 215 : 80) * cells);
+                            43 * exemplars + (o.coherent ? 215 : 80) * cells) +
+                   4 * o.types.size() * cells;
         }
         // Reading an image comes before solving for all of them.
         std::uint64_t operator()(const pareidolia::Options& o) const {

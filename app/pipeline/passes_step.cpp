@@ -19,9 +19,24 @@ std::uint64_t passes_key(const Job& job, const std::string& frame) {
                     name_of(job.request.quality), job.spec.render_text));
 }
 
+// 1 where the first mask called "type-..." is, 2 where the second is, ...
+Field<std::uint8_t> types_of(const Terrain& terrain) {
+    Field<std::uint8_t> types;
+    std::uint8_t number = 0;
+    for (const auto& [name, mask] : terrain.masks) {
+        if (!name.starts_with("type-")) continue;
+        if (types.empty()) types = Field<std::uint8_t>(mask.width(), mask.height());
+        ++number;
+        for (std::size_t i = 0; i < mask.size(); ++i)
+            if (mask[i] >= 0.5f) types[i] = number;
+    }
+    return types;
+}
+
 // As POV-Ray had them.
-render::PassMaps maps_of(const Job& job) {
+render::PassMaps maps_of(const Job& job, const Terrain& terrain) {
     render::PassMaps maps;
+    maps.types = types_of(terrain);
     const Field<Rgba8> materials =
         read_rgba(open_source(job.folder / "pov" / "materials.png"));
     maps.materials = Field<std::uint8_t>(materials.width(), materials.height());
@@ -41,7 +56,7 @@ Made make_passes(Job& job, const render::CameraOptions& camera) {
     const auto points = view.seen(render::CameraRays(shot.camera), shot.smooth);
     job.progress.report(0.4);
     const auto layers =
-        render::passes(view, points, shot.sun, maps_of(job), options.which);
+        render::passes(view, points, shot.sun, maps_of(job, terrain), options.which);
     job.progress.report(0.7);
 
     Metadata metadata = job.metadata();

@@ -119,8 +119,8 @@ void read(Table& t, PassOptions& passes) {
         {"depth", Pass::kDepth},   {"position", Pass::kPosition},
         {"normal", Pass::kNormal}, {"height", Pass::kHeight},
         {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
-        {"thing", Pass::kThing},   {"shadow", Pass::kShadow},
-        {"sky", Pass::kSky}};
+        {"type", Pass::kType},     {"thing", Pass::kThing},
+        {"shadow", Pass::kShadow}, {"sky", Pass::kSky}};
     t.field("which", passes.which, one_of(kNames));
     const std::set<Pass> different(passes.which.begin(), passes.which.end());
     t.check(!different.empty() && different.size() == passes.which.size(), {"which"},

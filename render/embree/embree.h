@@ -36,11 +36,12 @@ inline Vertex vertex(const Vec3& v) {
 
 // Rays that run along the mesh's own lines would else slip between two triangles: up to
 // 4% of the samples at azimuths 90, 135 and 315.
-inline Scene new_scene(const Device& device) {
-    Scene scene(rtcNewScene(device.get()));
+inline Scene new_scene(RTCDevice device) {
+    Scene scene(rtcNewScene(device));
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     return scene;
 }
+inline Scene new_scene(const Device& device) { return new_scene(device.get()); }
 
 // Adds a grid of height rows of width vertices. Laid from south to north its squares are
 // split NW-SE, as in POV-Ray.
@@ -66,15 +67,15 @@ const Vertex* lay_grid(const Device& device, const Scene& scene, int width, int 
 }
 
 // Adds a scene to another; `columns` are where its x, y and z axes and its origin go.
-inline void lay_instance(const Device& device, const Scene& scene, RTCScene what,
+inline void lay_instance(RTCDevice device, RTCScene scene, RTCScene what,
                          const std::array<float, 12>& columns) {
     const Handle<RTCGeometry, rtcReleaseGeometry> instance(
-        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(instance.get(), what);
     rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             columns.data());
     rtcCommitGeometry(instance.get());
-    rtcAttachGeometry(scene.get(), instance.get());
+    rtcAttachGeometry(scene, instance.get());
 }
 
 // How rays are followed. Of scenes of instances one by one: followed together through

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "render/embree/embree.h"
+
 namespace cydonia::render {
 namespace {
 
@@ -16,10 +18,10 @@ Vec3 turned(const Vec3& v, double turn) {
     return {c * v.x + s * v.y, c * v.y - s * v.x, v.z};
 }
 
-void lay_triangles(const embree::Device& device, const embree::Scene& scene,
+void lay_triangles(RTCDevice device, const embree::Scene& scene,
                    const Original::Part& part) {
     const embree::Handle<RTCGeometry, rtcReleaseGeometry> mesh(
-        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     void* vertices =
         rtcSetNewGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(embree::Vertex), part.vertices.size());
@@ -36,9 +38,18 @@ void lay_triangles(const embree::Device& device, const embree::Scene& scene,
 
 }  // namespace
 
-Copies::Copies(const embree::Device& device, const std::vector<ThingOptions>& kinds,
+struct Copies::Scenes {
+    std::vector<embree::Scene> originals;
+    embree::Scene copies;
+};
+
+Copies::~Copies() = default;
+
+RTCSceneTy* Copies::scene() const { return scenes_->copies.get(); }
+
+Copies::Copies(RTCDevice device, const std::vector<ThingOptions>& kinds,
                const std::vector<std::vector<Thing>>& things, const EmbreeSpace& space)
-    : scene_(embree::new_scene(device)) {
+    : scenes_(new Scenes{{}, embree::new_scene(device)}) {
     struct Made {
         RTCScene scene;
         std::uint8_t first_shape;
@@ -49,7 +60,7 @@ Copies::Copies(const embree::Device& device, const std::vector<ThingOptions>& ki
             const std::pair which{kinds[kind].kind, int(thing.original)};
             if (!made.contains(which)) {
                 const auto first = add_original(device, which.first, which.second);
-                made[which] = {originals_.back().get(), first};
+                made[which] = {scenes_->originals.back().get(), first};
             }
             const Made& original = made[which];
             const double scale = thing.height / space.unit;
@@ -64,14 +75,13 @@ Copies::Copies(const embree::Device& device, const std::vector<ThingOptions>& ki
                 columns[3 * i + 1] = float(axes[i].y);
                 columns[3 * i + 2] = float(axes[i].z);
             }
-            embree::lay_instance(device, scene_, original.scene, columns);
+            embree::lay_instance(device, scene(), original.scene, columns);
             copies_.push_back({thing.turn, std::uint8_t(kind), original.first_shape});
         }
-    rtcCommitScene(scene_.get());
+    rtcCommitScene(scene());
 }
 
-std::uint8_t Copies::add_original(const embree::Device& device, ThingOptions::Kind kind,
-                                  int number) {
+std::uint8_t Copies::add_original(RTCDevice device, ThingOptions::Kind kind, int number) {
     const auto first = std::uint8_t(shapes_.size());
     embree::Scene scene = embree::new_scene(device);
     for (Original::Part& part : original_of(kind, number).parts) {
@@ -81,7 +91,7 @@ std::uint8_t Copies::add_original(const embree::Device& device, ThingOptions::Ki
         shapes_.push_back({std::move(part), std::move(normals)});
     }
     rtcCommitScene(scene.get());
-    originals_.push_back(std::move(scene));
+    scenes_->originals.push_back(std::move(scene));
     return first;
 }
 

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "render/embree/embree.h"
 #include "render/things/originals.h"
 #include "render/things/placement.h"
 
 // Things on the ground for rays: instances of the originals that the .pov has, at the
-// same places. For .cpp files alone.
+// same places.
+struct RTCDeviceTy;  // Embree's
+struct RTCSceneTy;
+
 namespace cydonia::render {
 
 // A part of an original.
@@ -26,11 +30,13 @@ struct EmbreeSpace {
 class Copies {
   public:
     // `things` of each of the scene's kinds.
-    Copies(const embree::Device& device, const std::vector<ThingOptions>& kinds,
+    Copies(RTCDeviceTy* device, const std::vector<ThingOptions>& kinds,
            const std::vector<std::vector<Thing>>& things, const EmbreeSpace& space);
 
+    ~Copies();
+
     bool empty() const { return copies_.empty(); }
-    const embree::Scene& scene() const { return scene_; }
+    RTCSceneTy* scene() const;  // instances
 
     struct Hit {
         std::uint8_t kind;   // of the scene's
@@ -46,13 +52,12 @@ class Copies {
         float turn;
         std::uint8_t kind, first_shape;
     };
-    std::uint8_t add_original(const embree::Device& device, ThingOptions::Kind kind,
-                              int number);
+    struct Scenes;
+    std::uint8_t add_original(RTCDeviceTy* device, ThingOptions::Kind kind, int number);
 
     std::vector<Shape> shapes_;
-    std::vector<embree::Scene> originals_;
     std::vector<Copy> copies_;
-    embree::Scene scene_;
+    std::unique_ptr<Scenes> scenes_;
 };
 
 }  // namespace cydonia::render

@@ -13,13 +13,14 @@ enum class Pass {
     kHeight,    // metres
     kSlope,     // degrees
     kMaterial,  // number in the look
+    kType,      // of the ground, as texture stages have them: 1 for the first by name
     kThing,     // number of its kind in the scene
     kShadow,    // share of the sun that is hidden from there
     kSky,       // share of the sky that is seen from there
 };
-inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
-                                      Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
-                                      Pass::kThing,  Pass::kShadow,   Pass::kSky};
+inline constexpr Pass kAllPasses[] = {
+    Pass::kDepth,    Pass::kPosition, Pass::kNormal, Pass::kHeight, Pass::kSlope,
+    Pass::kMaterial, Pass::kType,     Pass::kThing,  Pass::kShadow, Pass::kSky};
 
 struct PassOptions {
     std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};

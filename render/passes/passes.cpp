@@ -85,6 +85,13 @@ std::vector<PassLayer> passes(const View& view, const Field<SeenPoint>& points,
                                   *out = 1.0f + nearest(maps.materials,
                                                         on_map(maps.materials, view, p));
                               });
+            case Pass::kType:
+                if (maps.types.empty()) return std::nullopt;
+                return filled({"type", {"type.Y"}, true, {}}, points, 0.0f,
+                              [&](const SeenPoint& p, std::size_t, float* out) {
+                                  if (p.surface != Surface::kLand) return;
+                                  *out = nearest(maps.types, on_map(maps.types, view, p));
+                              });
             case Pass::kThing:
                 if (!view.has_things()) return std::nullopt;
                 return filled(

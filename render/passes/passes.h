@@ -22,6 +22,7 @@ struct PassLayer {
 // and what needs them is then left out.
 struct PassMaps {
     Field<std::uint8_t> materials;
+    Field<std::uint8_t> types;    // 0: none
     Field<float> sky_visibility;  // 0 to 1
 };
 

@@ -79,8 +79,7 @@ struct View::Scene {
 
     using Rays = std::array<Ray, kRays>;
     using Meetings = std::array<Meeting, kRays>;
-    void meet(const embree::Scene& scene, const Rays& rays, Surface surface,
-              Meetings& met) const;
+    void meet(RTCScene scene, const Rays& rays, Surface surface, Meetings& met) const;
     void meet_planes(const Ray& ray, Meeting& met) const;
     SeenPoint point(const Ray& ray, const Meeting& met, bool smooth,
                     const Vec3& forward) const;
@@ -135,7 +134,7 @@ View::Scene::Scene(const Terrain& given, const Scenery& scenery)
         if (surface->sea)
             planes.push_back({*surface->sea, 0, false, true, Surface::kWater});
     }
-    things.emplace(device, scenery.kinds, scenery.things, space);
+    things.emplace(device.get(), scenery.kinds, scenery.things, space);
     if (things->empty()) things.reset();
     if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
         throw failure("not enough memory to look at {}x{} heights", width, height);
@@ -182,7 +181,7 @@ void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
     for (int i = -kLandsAround; i <= kLandsAround; ++i)
         for (int j = -kLandsAround; j <= kLandsAround; ++j) {
             if (i == 0 && j == 0) continue;
-            embree::lay_instance(device, copies, what.get(),
+            embree::lay_instance(device.get(), copies.get(), what.get(),
                                  {i % 2 ? -1.0f : 1.0f, 0, 0,  //
                                   0, j % 2 ? -1.0f : 1.0f, 0,  //
                                   0, 0, 1,                     //
@@ -191,7 +190,7 @@ void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
     rtcCommitScene(copies.get());
 }
 
-void View::Scene::meet(const embree::Scene& scene, const Rays& rays, Surface surface,
+void View::Scene::meet(RTCScene scene, const Rays& rays, Surface surface,
                        Meetings& met) const {
     alignas(64) RTCRayHit16 packet{};
     alignas(64) Which valid{};
@@ -207,8 +206,8 @@ void View::Scene::meet(const embree::Scene& scene, const Rays& rays, Surface sur
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         valid[i] = -1;
     }
-    const bool copies = &scene != &land && (!water || &scene != &*water);
-    embree::find_hits(scene.get(), valid.data(), packet,
+    const bool copies = scene != land.get() && (!water || scene != water->get());
+    embree::find_hits(scene, valid.data(), packet,
                       copies ? embree::Follow::kAlone : embree::Follow::kTogether);
     const auto& hit = packet.hit;
     for (std::size_t i = 0; i < kRays; ++i) {
@@ -302,13 +301,13 @@ View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
     std::fill_n(packet.dir_z, kRays, way.z);
     std::fill_n(packet.tfar, kRays, std::numeric_limits<float>::infinity());
     std::fill_n(packet.mask, kRays, ~0u);
-    const auto mark = [&](const embree::Scene& scene, embree::Follow follow) {
+    const auto mark = [&](RTCScene scene, embree::Follow follow) {
         if (std::ranges::none_of(valid, [](int v) { return v != 0; })) return;
-        embree::mark_occluded(scene.get(), valid.data(), packet, follow);
+        embree::mark_occluded(scene, valid.data(), packet, follow);
         for (std::size_t i = 0; i < kRays; ++i)
             if (valid[i] && packet.tfar[i] < 0.0f) result[i] = -1, valid[i] = 0;
     };
-    mark(land, embree::Follow::kTogether);
+    mark(land.get(), embree::Follow::kTogether);
     if (things) mark(things->scene(), embree::Follow::kAlone);
     return result;
 }
@@ -352,11 +351,12 @@ Field<SeenPoint> View::seen(const CameraRays& rays, bool smooth) const {
             Scene::Meetings met{};
             for (int i = 0; i < kRays; ++i)
                 packet[i] = rays.through(x0 + i % kTile + 0.5, y0 + i / kTile + 0.5);
-            scene.meet(scene.land, packet, Surface::kLand, met);
-            if (scene.around) scene.meet(*scene.around, packet, Surface::kLand, met);
-            if (scene.water) scene.meet(*scene.water, packet, Surface::kWater, met);
+            scene.meet(scene.land.get(), packet, Surface::kLand, met);
+            if (scene.around)
+                scene.meet(scene.around->get(), packet, Surface::kLand, met);
+            if (scene.water) scene.meet(scene.water->get(), packet, Surface::kWater, met);
             if (scene.water_around)
-                scene.meet(*scene.water_around, packet, Surface::kWater, met);
+                scene.meet(scene.water_around->get(), packet, Surface::kWater, met);
             if (scene.things)
                 scene.meet(scene.things->scene(), packet, Surface::kThing, met);
             for (int i = 0; i < kRays; ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "field/parallel.h"
 #include "synth/texture/constraint_errors.h"
 #include "synth/texture/depressions.h"
 #include "synth/texture/patches.h"
@@ -28,24 +29,43 @@ double share(const Field<float>& mask) {
     return sum / static_cast<double>(mask.size());
 }
 
+// Of the exemplar's ground that a cell came from: an index, or kNoType.
+std::uint8_t type_at(const Maker& maker, const Synthesis& land, int x, int y) {
+    const Window& w = land.window;
+    const Level& level = maker.database().levels[std::size_t(w.level)];
+    const Spot spot = spot_of(land.places(x, y));
+    const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
+    return level.types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
+}
+
+// Where the land has each type, for looks, things and passes: "type-walls", 0 or 1.
+void add_type_masks(const Options& options, const Maker& maker, const Synthesis& land,
+                    Terrain& terrain) {
+    std::vector<Field<float>*> masks;
+    for (const Type& type : options.types)
+        masks.push_back(&(terrain.masks["type-" + type.name] = Field<float>(
+                              terrain.heights.width(), terrain.heights.height())));
+    parallel_for(terrain.heights.height(), 16, [&](int y) {
+        for (int x = 0; x < terrain.heights.width(); ++x) {
+            const std::uint8_t type = type_at(maker, land, x, y);
+            if (type < masks.size()) (*masks[type])(x, y) = 1.0f;
+        }
+    });
+}
+
 // Of the cells that a type is asked of, those that have it; 1 where none is asked.
 double typed_share(const Maker& maker, const Synthesis& land) {
     const Window& w = land.window;
     Window guided = w;
     while (guided.level < w.level + kFinestGuided) guided = guided.coarser();
     const Field<TypeSet> sets = maker.guidance().types(guided);
-    const Level& level = maker.database().levels[std::size_t(w.level)];
     std::int64_t asked = 0, met = 0;
     for (int y = 0; y < w.height; ++y) {
         for (int x = 0; x < w.width; ++x) {
             const TypeSet set = sets(((w.x + x) >> kFinestGuided) - guided.x,
                                      ((w.y + y) >> kFinestGuided) - guided.y);
             if (set == kAnyType) continue;
-            const Spot spot = spot_of(land.places(x, y));
-            const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
-            const std::uint8_t type =
-                level
-                    .types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
+            const std::uint8_t type = type_at(maker, land, x, y);
             ++asked;
             met += type < kMostTypes && (set >> type & 1u);
         }
@@ -84,6 +104,7 @@ void report(const Options& options, const Maker& maker, const Synthesis& land,
     terrain.pictures["sources"] =
         source_map(maker.database(), land.places, land.window.level);
 
+    if (!options.types.empty()) add_type_masks(options, maker, land, terrain);
     if (!maker.geometry().empty()) report_constraints(maker, terrain);
     if (maker.guidance().types)
         figures["texture: cells of the asked type, share"] = typed_share(maker, land);

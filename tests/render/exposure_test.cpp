@@ -16,9 +16,9 @@ Field<Rgb> lit(float light) {
 }
 
 TEST(OwnStops, BringNineTenthsUnderTheirWhite) {
-    EXPECT_NEAR(own_stops(lit(0.6f)), 0.0, 1e-5);
-    EXPECT_NEAR(own_stops(lit(0.15f)), 2.0, 1e-5);
-    EXPECT_NEAR(own_stops(lit(2.4f)), -2.0, 1e-5);
+    EXPECT_NEAR(own_stops(lit(0.5f)), 0.0, 1e-5);
+    EXPECT_NEAR(own_stops(lit(0.125f)), 2.0, 1e-5);
+    EXPECT_NEAR(own_stops(lit(2.0f)), -2.0, 1e-5);
 }
 
 TEST(OwnStops, StayWithinSix) {

@@ -88,9 +88,9 @@ TEST_F(Frames, StrayRaysAreScrubbed) {
 }
 
 // Middle grey is the pivot of the grade: only exposure and the view move it.
-TEST_F(Frames, NinetiethPercentileStandsAtSixTenths) {
+TEST_F(Frames, NinetiethPercentileStandsAtHalf) {
     ColourOptions colour;
-    colour.exposure = std::log2(0.18 / 0.6);
+    colour.exposure = std::log2(0.18 / 0.5);
     deliver(Field<Rgb>(8, 8, {3.0f, 3.0f, 3.0f}), colour);
     const Rgb8 grey = shown_as_bytes({0.18f, 0.18f, 0.18f});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(png()(4, 4)[c], grey[c], 1);
@@ -124,14 +124,14 @@ TEST_F(Frames, GlintsDoNotDarkenTheLand) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(png()(15, 5)[c], before[c], 1);
 }
 
-// A quarter stands at 0.6 already, so the exposure is 0 EV.
+// A quarter stands at 0.5 already, so the exposure is 0 EV.
 TEST_F(Frames, GradeWidensContrastAboutMiddleGreyAndColour) {
     Field<Rgb> picture(8, 8, {0.02f, 0.02f, 0.02f});
     for (int y = 0; y < 2; ++y)
-        for (Rgb& pixel : picture.row(y)) pixel = {0.6f, 0.6f, 0.6f};
+        for (Rgb& pixel : picture.row(y)) pixel = {0.5f, 0.5f, 0.5f};
     picture(0, 7) = {0.2f, 0.18f, 0.16f};
     deliver(picture);
-    EXPECT_GT(png()(0, 0)[1], shown_as_bytes({0.6f, 0.6f, 0.6f})[1] + 3);
+    EXPECT_GT(png()(0, 0)[1], shown_as_bytes({0.5f, 0.5f, 0.5f})[1] + 3);
     EXPECT_LT(png()(0, 4)[1], shown_as_bytes({0.02f, 0.02f, 0.02f})[1] - 3);
     const Rgb8 plain = shown_as_bytes(acescg_from_rec709(picture(0, 7)));
     EXPECT_GT(png()(0, 7)[0] - png()(0, 7)[2], 1.2 * (plain[0] - plain[2]));

@@ -278,6 +278,7 @@ TEST(Passes, FileHasTheNamesCompositorsExpect) {
     const Camera camera = perspective();
     const Field<SeenPoint> points = view.seen(CameraRays(camera), true);
     PassMaps maps{Field<std::uint8_t>(kSide, kSide, 2),
+                  Field<std::uint8_t>(kSide, kSide, 3),
                   Field<float>(kSide, kSide, 0.75f)};
     const auto layers = passes(view, points, sun_at(300.0, 20.0), maps,
                                {std::begin(kAllPasses), std::end(kAllPasses)});
@@ -287,9 +288,9 @@ TEST(Passes, FileHasTheNamesCompositorsExpect) {
     const auto in = OIIO::ImageInput::open(folder / "a.exr");
     ASSERT_TRUE(in) << OIIO::geterror();
     const std::vector<std::vector<std::string>> names = {
-        {"R", "G", "B"},       {"Z"},        {"P.X", "P.Y", "P.Z"},
-        {"N.X", "N.Y", "N.Z"}, {"height.Y"}, {"slope.Y"},
-        {"material.Y"},        {"shadow.Y"}, {"sky.Y"}};
+        {"R", "G", "B"}, {"Z"},       {"P.X", "P.Y", "P.Z"}, {"N.X", "N.Y", "N.Z"},
+        {"height.Y"},    {"slope.Y"}, {"material.Y"},        {"type.Y"},
+        {"shadow.Y"},    {"sky.Y"}};
     for (std::size_t part = 0; part < names.size(); ++part) {
         const OIIO::ImageSpec spec = in->spec(static_cast<int>(part));
         EXPECT_EQ(spec.channelnames, names[part]);
