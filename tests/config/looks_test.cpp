@@ -170,9 +170,9 @@ TEST_F(Looks, BeginTheLight) {
     EXPECT_EQ(render("look = \"storm\"").haze.visibility, metres(60000.0));
     EXPECT_FALSE(render("look = \"moon\"").sky.air);
     EXPECT_EQ(render("look = \"moon\"").fine_relief.craters, 1.0);
-    EXPECT_EQ(render("look = \"moon\"\nfine_relief = { craters = 0.5 }")
-                  .fine_relief.craters,
-              0.5);
+    EXPECT_EQ(
+        render("look = \"moon\"\nfine_relief = { craters = 0.5 }").fine_relief.craters,
+        0.5);
 }
 
 // What a cache key is made of changes with the look's own bytes.
