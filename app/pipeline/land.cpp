@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/pipeline/cache.h"
+#include "field/error.h"
 #include "field/files.h"
 #include "field/quantise.h"
 #include "field/random.h"
@@ -40,7 +41,14 @@ int factor_of(const config::SceneSpec& spec, int samples, render::Quality qualit
         return std::holds_alternative<pareidolia::Options>(stage.options);
     });
     if (hides && !options.factor) return 1;
-    return render::fine_factor(options, samples, quality);
+    constexpr int kMost = 16384;  // samples a side of any land
+    const int factor = render::fine_factor(options, samples, quality);
+    if (factor > 1 && factor * samples > kMost)
+        throw bad_request(
+            "render.fine_relief: {} times {} samples a side are more than {}; lower "
+            "factor",
+            factor, samples, kMost);
+    return factor;
 }
 
 std::uint64_t key_of_drawn(const render::FineReliefOptions& o, int factor,

@@ -19,16 +19,20 @@ std::uint64_t passes_key(const Job& job, const std::string& frame) {
                     name_of(job.request.quality), job.spec.render_text));
 }
 
-// 1 where the first mask called "type-..." is, 2 where the second is, ...
+// 1 where the first mask called "type-..." is most, 2 where the second is, ...
 Field<std::uint8_t> types_of(const Terrain& terrain) {
     Field<std::uint8_t> types;
+    Field<float> most;  // between samples several types have a share
     std::uint8_t number = 0;
     for (const auto& [name, mask] : terrain.masks) {
         if (!name.starts_with("type-")) continue;
-        if (types.empty()) types = Field<std::uint8_t>(mask.width(), mask.height());
+        if (types.empty()) {
+            types = Field<std::uint8_t>(mask.width(), mask.height());
+            most = Field<float>(mask.width(), mask.height(), 0.01f);
+        }
         ++number;
         for (std::size_t i = 0; i < mask.size(); ++i)
-            if (mask[i] >= 0.5f) types[i] = number;
+            if (mask[i] > most[i]) types[i] = number, most[i] = mask[i];
     }
     return types;
 }

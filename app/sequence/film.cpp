@@ -226,7 +226,8 @@ void tell(const Json& day, Progress& progress) {
 }
 
 Made film(Job& job) {
-    const Sequence sequence = day_of(job).sequence;  // and the land is there for all
+    const Sequence sequence = day_of(job).sequence;
+    job.land.drawn();  // once, before workers share it
     Filming(job, sequence).run(workers_for(job, sequence));
     Made made;
     for (const Shot& shot : sequence.shots) {

@@ -98,8 +98,7 @@ class Diagram {
           rays_(shot.camera),
           axes_(shot.camera),
           to_sun_(direction_to(shot.sun)),
-          points_(view_.seen(
-              rays_, shot.camera.projection == Camera::Projection::kPerspective)) {
+          points_(view_.seen(rays_, shot.smooth)) {
         const auto [low, high] = std::ranges::minmax(view_.terrain().heights);
         low_ = low, high_ = std::max(high, low + 1.0f);
         contours_ = contour_interval(view_.terrain());

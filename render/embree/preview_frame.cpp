@@ -157,8 +157,7 @@ class Picture {
     }
 
     Rgb natural(const SeenPoint& p, const Ray& ray, bool shadowed) const {
-        if (p.surface == Surface::kSky)
-            return hazed(sky(ray.direction), ray, 1e4 * haze_height_);
+        if (p.surface == Surface::kSky) return sky(ray.direction);  // it holds its air
         const Vec3 normal = vec(p.normal);
         const double lit = shadowed ? 0.0 : std::max(0.0, dot(normal, to_sun_));
         const Rgb falling =

@@ -86,8 +86,8 @@ Field<float> between(const Field<float>& field, int factor) {
 
 // Hard beds stand as walls, soft ones lie back as benches: a bed's lower part rises
 // little, its upper part much.
-void cut_terraces(Field<float>& heights, double spacing, double strength, double step,
-                  std::uint64_t seed) {
+void cut_terraces(Field<float>& heights, const Field<float>& dry, double spacing,
+                  double strength, double step, std::uint64_t seed) {
     const auto bed = [](double at) {
         const double floor = std::floor(at), f = at - floor;
         const double t = std::clamp((f - 0.35) / 0.5, 0.0, 1.0);
@@ -102,7 +102,8 @@ void cut_terraces(Field<float>& heights, double spacing, double strength, double
             at += strength * 0.75 * (bed(at) - at);
             const double fine = 2.9 * at;
             at += strength * 0.6 * (bed(fine) - fine) / 2.9;
-            heights(x, y) = static_cast<float>((at - wave) * step);
+            const float cut = static_cast<float>((at - wave) * step);
+            heights(x, y) += dry(x, y) * (cut - heights(x, y));
         }
     });
 }
@@ -212,8 +213,9 @@ Terrain with_fine_relief(const Terrain& terrain, const FineReliefOptions& option
         fine.heights = doubled(fine.heights);
         fine.spacing /= 2.0;
         dry = doubled(dry);
+        for (float& share : dry) share = std::clamp(share, 0.0f, 1.0f);
         if (done == 1 && options.terraces > 0.0)
-            cut_terraces(fine.heights, fine.spacing, options.terraces, options.step,
+            cut_terraces(fine.heights, dry, fine.spacing, options.terraces, options.step,
                          hash_of({seed, key("terraces")}));
     }
     for (const auto& [name, mask] : terrain.masks)

@@ -28,7 +28,9 @@ Mesh::Mesh(const Terrain& terrain) {
 
 bool Mesh::is_under(const Vec3& p, int lands) const {
     const double s = 0.5 * terrain_.spacing;
-    const double x = lands * terrain_.width(), y = lands * terrain_.depth();
+    // Copies share the border's samples.
+    const double x = lands * (terrain_.width() - 2.0 * s);
+    const double y = lands * (terrain_.depth() - 2.0 * s);
     return p.x >= s - x && p.y >= s - y && p.x <= terrain_.width() + x - s &&
            p.y <= terrain_.depth() + y - s;
 }

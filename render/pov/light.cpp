@@ -61,7 +61,7 @@ std::string light_numbers(const Shot& shot, double land_width) {
             R"(// What the air sends back as far as the camera looks. The sky's image stands behind this
 // haze: change both together.
 #declare HazeLight    = rgb <{}>;
-#declare Visibility   = {:.0f}; // metres at which haze takes over
+#declare Visibility   = {:.3f}; // metres at which haze takes over
 )",
             numbers(haze_light(shot)),
             visibility(shot.options.sky, shot.options.haze, land_width));

@@ -183,3 +183,10 @@ TEST_F(Film, FinerLandByPowersOfTwoOnly) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("1, 2, 4 or 8"), std::string::npos) << outcome.err;
 }
+
+TEST_F(Film, FinerLandThatIsTooLarge) {
+    const Outcome outcome = render(land_with(kView, "fine_relief = { factor = 8 }\n"),
+                                   {"--dry-run", "--set", "terrain.samples=4096"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("lower factor"), std::string::npos) << outcome.err;
+}

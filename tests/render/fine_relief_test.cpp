@@ -118,7 +118,9 @@ TEST(FineRelief, WaterStaysLevelAndItsBedAsItIs) {
     base.water = Field<float>(kSide, kSide, kDry);
     for (std::size_t i = 0; i < base.water.size(); ++i)
         if (base.heights[i] < -50.0f) base.water[i] = -50.0f;
-    const Terrain fine = with_fine_relief(base, {}, 4, 1);
+    FineReliefOptions all;
+    all.terraces = 1.0;
+    const Terrain fine = with_fine_relief(base, all, 4, 1);
     int wet = 0;
     double most = 0.0;
     for (int y = 8; y < kSide - 8; ++y)

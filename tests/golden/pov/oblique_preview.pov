@@ -37,7 +37,7 @@
 // What the air sends back as far as the camera looks. The sky's image stands behind this
 // haze: change both together.
 #declare HazeLight    = rgb <0.1105, 0.1436, 0.1957>;
-#declare Visibility   = 114051; // metres at which haze takes over
+#declare Visibility   = 114051.096; // metres at which haze takes over
 
 global_settings {
     assumed_gamma 1.0
@@ -138,9 +138,10 @@ plane {
     y, OutskirtsHeight / Unit
     clipped_by {
         box {
-            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
-            At((Around + 1) * LandWidth - Spacing / 2,
-               (Around + 1) * LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * (LandWidth - Spacing),
+               Spacing / 2 - Around * (LandDepth - Spacing), -1e6),
+            At(LandWidth - Spacing / 2 + Around * (LandWidth - Spacing),
+               LandDepth - Spacing / 2 + Around * (LandDepth - Spacing), 1e6)
             inverse
         }
     }

@@ -115,9 +115,10 @@ plane {
     y, OutskirtsHeight / Unit
     clipped_by {
         box {
-            At(Spacing / 2 - Around * LandWidth, Spacing / 2 - Around * LandDepth, -1e6),
-            At((Around + 1) * LandWidth - Spacing / 2,
-               (Around + 1) * LandDepth - Spacing / 2, 1e6)
+            At(Spacing / 2 - Around * (LandWidth - Spacing),
+               Spacing / 2 - Around * (LandDepth - Spacing), -1e6),
+            At(LandWidth - Spacing / 2 + Around * (LandWidth - Spacing),
+               LandDepth - Spacing / 2 + Around * (LandDepth - Spacing), 1e6)
             inverse
         }
     }
