@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "field/border.h"
+
 namespace cydonia::render {
 namespace {
 
@@ -66,15 +68,11 @@ bool over_land(const Terrain& t, const Vec3& p) {
 namespace {
 
 bool meets_sea(const Terrain& t) {
-    const int right = t.heights.width() - 1, bottom = t.heights.height() - 1;
-    const auto wet = [&](int x, int y) {
-        return water_depth(t, t.heights.index(x, y)) > 0.0f;
-    };
-    for (int x = 0; x <= right; ++x)
-        if (wet(x, 0) || wet(x, bottom)) return true;
-    for (int y = 0; y <= bottom; ++y)
-        if (wet(0, y) || wet(right, y)) return true;
-    return false;
+    bool wet = false;
+    on_border(t.heights, [&](int x, int y) {
+        wet = wet || water_depth(t, t.heights.index(x, y)) > 0.0f;
+    });
+    return wet;
 }
 
 }  // namespace
@@ -84,15 +82,7 @@ Around around_of(const Terrain& t, const Options& options) {
     return t.shadows.empty() && !meets_sea(t) ? Around::kLand : Around::kLevel;
 }
 
-double outskirts_height(const Terrain& t) {
-    const int w = t.heights.width(), h = t.heights.height();
-    float lowest = t.heights(0, 0);
-    for (int x = 0; x < w; ++x)
-        lowest = std::min({lowest, t.heights(x, 0), t.heights(x, h - 1)});
-    for (int y = 0; y < h; ++y)
-        lowest = std::min({lowest, t.heights(0, y), t.heights(w - 1, y)});
-    return lowest;
-}
+double outskirts_height(const Terrain& t) { return lowest_on_border(t.heights); }
 
 double pixel_size(const Camera& c) {
     return pixel_side(c) * (c.projection == Camera::Projection::kOrthographic

@@ -6,6 +6,7 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "field/rgb.h"
 #include "render/passes/view.h"
 
 namespace cydonia::render {
@@ -28,16 +29,6 @@ constexpr Rgb kWater{0.05f, 0.15f, 0.35f};
 constexpr Rgb kContourLine{0.22f, 0.09f, 0.03f};
 constexpr Rgb kGridLine{0.05f, 0.14f, 0.35f};
 
-Rgb operator*(double s, const Rgb& c) {
-    const auto f = static_cast<float>(s);
-    return {f * c[0], f * c[1], f * c[2]};
-}
-Rgb mixed(const Rgb& a, const Rgb& b, double t) {
-    Rgb c;
-    for (std::size_t i = 0; i < 3; ++i)
-        c[i] = static_cast<float>((1.0 - t) * a[i] + t * b[i]);
-    return c;
-}
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 // Colours at even distances along a line from 0 to 1.
@@ -270,13 +261,6 @@ class Diagram {
     double contours_ = 1.0, grid_ = 1.0;
 };
 
-std::uint8_t srgb(float linear) {
-    const double v = std::clamp(linear, 0.0f, 1.0f);
-    const double shown =
-        v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255.0 * shown));
-}
-
 }  // namespace
 
 double round_interval(double least) {
@@ -300,7 +284,8 @@ Field<Rgb8> diagram(const Shot& shot, const Terrain& terrain, Style style) {
     Field<Rgb8> shown(drawn.width(), drawn.height());
     parallel_for(drawn.height(), 16, [&](int y) {
         for (int x = 0; x < drawn.width(); ++x)
-            for (std::size_t c = 0; c < 3; ++c) shown(x, y)[c] = srgb(drawn(x, y)[c]);
+            for (std::size_t c = 0; c < 3; ++c)
+                shown(x, y)[c] = srgb_level(drawn(x, y)[c]);
     });
     return shown;
 }

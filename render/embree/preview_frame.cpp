@@ -5,10 +5,12 @@
 #include <numbers>
 
 #include "field/parallel.h"
+#include "field/rgb.h"
 #include "field/sample.h"
 #include "render/camera_view.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
+#include "render/pov/pieces.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
@@ -22,17 +24,6 @@ constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
 constexpr float kWaterClear = 0.8f;
 constexpr double kAmongLeaves = 0.5;  // of the sky that the place sees
 
-Rgb operator+(const Rgb& a, const Rgb& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Rgb operator*(const Rgb& a, const Rgb& b) {
-    return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
-}
-Rgb operator*(double s, const Rgb& c) {
-    const auto f = static_cast<float>(s);
-    return {f * c[0], f * c[1], f * c[2]};
-}
-Rgb mixed(const Rgb& a, const Rgb& b, double t) { return (1.0 - t) * a + t * b; }
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 // The land with so many samples as a preview can show the colours of.
@@ -96,16 +87,12 @@ class Picture {
                     std::max(2, small.heights.height() / 2));
         sky_visible_ = sky_visibility(rough, terrain.width() / rough.width());
         light_ = daylight(shot.sun, shot.options.sky);
-        const Vec3 look = shot.camera.target - shot.camera.eye;
-        air_ = air_light(shot.sun, shot.options.sky, std::atan2(look.x, look.y),
-                         shot.camera.field_of_view);
         dome_ = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
-        const double visibility =
-            render::visibility(shot.options.sky, shot.options.haze, terrain.width());
-        if (visibility > 0.0 &&
-            shot.camera.projection == Camera::Projection::kPerspective)
-            thickness_ = 3.912 / visibility;  // Koschmieder
-        haze_height_ = kHazeHeight;
+        if (pov::has_haze(shot)) {
+            air_ = pov::haze_light(shot);
+            visibility_ =
+                visibility(shot.options.sky, shot.options.haze, terrain.width());
+        }
     }
 
     Field<Rgb> drawn() const {
@@ -173,20 +160,12 @@ class Picture {
         return hazed(seen, ray, length(vec(p.at) - ray.from));
     }
 
-    // POV-Ray's ground fog: below the lowest ground even, above it thinning out as
-    // 1 / (1 + height / haze_height_)^2.
     Rgb hazed(const Rgb& colour, const Ray& ray, double distance) const {
-        if (thickness_ <= 0.0) return colour;
-        const double from = (ray.from.z - low_) / haze_height_;
-        const double to = from + distance * ray.direction.z / haze_height_;
-        const auto below = [](double u) { return u < 0.0 ? u : u / (1.0 + u); };
-        const auto here = [](double u) { return u < 0.0 ? 1.0 : 1.0 / square(1.0 + u); };
-        const double mean = std::abs(to - from) < 1e-6
-                                ? here(from)
-                                : (below(to) - below(from)) / (to - from);
-        return mixed(air_, colour, std::exp(-thickness_ * mean * distance));
+        if (visibility_ <= 0.0) return colour;
+        return mixed(
+            air_, colour,
+            through_haze(visibility_, ray.from.z - low_, ray.direction.z, distance));
     }
-    static double square(double v) { return v * v; }
 
     const Shot& shot_;
     View view_;
@@ -197,7 +176,7 @@ class Picture {
     Field<float> sky_visible_;
     Daylight light_{};
     Rgb mean_{}, air_{};
-    double thickness_ = 0.0, haze_height_ = 1.0;
+    double visibility_ = 0.0;
 };
 
 }  // namespace

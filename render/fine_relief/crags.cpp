@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "field/parallel.h"
+#include "field/smoothstep.h"
 #include "render/ground/texture_noise.h"
 
 namespace cydonia::render {
@@ -27,9 +28,9 @@ Field<float> crags(const Field<float>& heights, double spacing, double wavelengt
             const int west = std::max(x - step, 0), east = std::min(x + step, width - 1);
             const double a = (heights(east, y) - heights(west, y)) * per_metre;
             const double b = (heights(x, south) - heights(x, north)) * per_metre;
-            const double t = std::clamp(
-                (std::sqrt(a * a + b * b) - kLeast) / (kMost - kLeast), 0.0, 1.0);
-            const double rough = kLevel + (1.0 - kLevel) * t * t * (3.0 - 2.0 * t);
+            const double rough =
+                kLevel +
+                (1.0 - kLevel) * smoothstep(kLeast, kMost, std::sqrt(a * a + b * b));
             const double e = (x + 0.5) * spacing, s = (y + 0.5) * spacing;
             const double noise = texture_noise(e, s, wavelength, seed);
             const double where = texture_noise(e, s, 9.0 * wavelength, seed + 1);

@@ -5,6 +5,7 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "field/smoothstep.h"
 
 namespace cydonia::render {
 namespace {
@@ -22,8 +23,7 @@ double profile(double r) {
     const double thrown = kRim * left * left / std::max(1.0, r * r);
     if (r <= 0.9) return bowl;
     if (r >= 1.1) return thrown;
-    const double t = (r - 0.9) / 0.2;  // the rim is worn round
-    return std::lerp(bowl, thrown, t * t * (3.0 - 2.0 * t));
+    return std::lerp(bowl, thrown, smoothstep(0.9, 1.1, r));  // the rim is worn round
 }
 
 struct Crater {

@@ -4,10 +4,11 @@
 #include <bit>
 #include <cmath>
 
+#include "field/image.h"
 #include "field/parallel.h"
 #include "field/random.h"
-#include "field/sample.h"
 #include "field/sampled.h"
+#include "field/smoothstep.h"
 #include "render/fine_relief/crags.h"
 #include "render/fine_relief/craters.h"
 #include "render/fine_relief/gullies.h"
@@ -74,24 +75,13 @@ Field<T> repeated(const Field<T>& field, int factor) {
     return result;
 }
 
-Field<float> between(const Field<float>& field, int factor) {
-    Field<float> result(factor * field.width(), factor * field.height());
-    parallel_for(result.height(), 16, [&](int y) {
-        for (int x = 0; x < result.width(); ++x)
-            result(x, y) =
-                bilinear(field, (x + 0.5) / factor - 0.5, (y + 0.5) / factor - 0.5);
-    });
-    return result;
-}
-
 // Hard beds stand as walls, soft ones lie back as benches: a bed's lower part rises
 // little, its upper part much.
 void cut_terraces(Field<float>& heights, const Field<float>& dry, double spacing,
                   double strength, double step, std::uint64_t seed) {
     const auto bed = [](double at) {
         const double floor = std::floor(at), f = at - floor;
-        const double t = std::clamp((f - 0.35) / 0.5, 0.0, 1.0);
-        return floor + 0.25 * f + 0.75 * t * t * (3.0 - 2.0 * t);
+        return floor + 0.25 * f + 0.75 * smoothstep(0.35, 0.85, f);
     };
     parallel_for(heights.height(), 8, [&](int y) {
         for (int x = 0; x < heights.width(); ++x) {
@@ -219,7 +209,8 @@ Terrain with_fine_relief(const Terrain& terrain, const FineReliefOptions& option
                          hash_of({seed, key("terraces")}));
     }
     for (const auto& [name, mask] : terrain.masks)
-        fine.masks.emplace(name, between(mask, factor));
+        fine.masks.emplace(name,
+                           resized(mask, fine.heights.width(), fine.heights.height()));
     fine.water = finer_water(terrain, fine.heights, factor);
     for (const ShadowImage& image : terrain.shadows) {
         ShadowImage finer = image;

@@ -5,6 +5,7 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "field/smoothstep.h"
 #include "render/ground/texture_noise.h"
 
 namespace cydonia::render {
@@ -90,14 +91,14 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             const float u = c / length;
             // Ribs are sharper than the gullies between them.
             const float sharp = 1.0f - 2.0f * std::sqrt(std::max(0.0f, 0.5f - 0.5f * u));
-            const float t = std::min(1.0f, (slope - kLeast) / (kMost - kLeast));
             // Deep in some places, faint in others.
             const auto deep = static_cast<float>(std::clamp(
                 0.6 + 0.9 * texture_noise((x + 0.5) * spacing, (y + 0.5) * spacing,
                                           7.0 * wavelength, seed),
                 0.1, 1.4));
             const float wall = std::clamp((slope - kWall) / (kSheer - kWall), 0.0f, 1.0f);
-            result(x, y) = (1.0f - 0.6f * wall) * deep * t * t * (3.0f - 2.0f * t) *
+            result(x, y) = (1.0f - 0.6f * wall) * deep *
+                           smoothstep(kLeast, kMost, slope) *
                            std::min(1.0f, 2.0f * length) * (0.5f * u + 0.5f * sharp);
         }
     });

@@ -8,7 +8,9 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "field/rgb.h"
 #include "field/sample.h"
+#include "field/smoothstep.h"
 #include "render/ground/relief.h"
 #include "render/ground/texture_noise.h"
 
@@ -19,16 +21,6 @@ namespace {
 constexpr double kWet = 0.45;
 
 constexpr std::uint64_t kSeed = 0x6c616e64;
-
-double smoothstep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-Rgb mixed(const Rgb& a, const Rgb& b, double t) {
-    const auto f = static_cast<float>(t);
-    return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
-}
 
 // What water above the ground leaves of its colour (Beer-Lambert), straight down and up.
 constexpr Rgb kAbsorption{0.20f, 0.075f, 0.065f};  // a metre, of coastal water
@@ -127,7 +119,7 @@ class Painter {
                 lay(*look_.bed, washed * (1.0 - rocky) * smoothstep(2.0, 25.0, depth), p,
                     colour, top, of_top);
         }
-        if (washed > 0.0) colour = scaled(colour, 1.0 - kWet * wetted_at(p));
+        if (washed > 0.0) colour = (1.0 - kWet * wetted_at(p)) * colour;
         if (relief_.water && p.form.shore > 0.0f)
             colour = seen_through(std::max(0.0f, p.form.level - p.form.height), colour);
         return {colour, static_cast<std::uint8_t>(top)};
@@ -231,8 +223,8 @@ class Painter {
         }
         Rgb colour = mixed(dark, light, std::clamp(shade, 0.0, 1.0));
         if (bedded > 0.0 && !m.strata->colours.empty())
-            colour = mixed(colour, scaled(bed, 0.8 + 0.4 * std::clamp(shade, 0.0, 1.0)),
-                           bedded);
+            colour =
+                mixed(colour, (0.8 + 0.4 * std::clamp(shade, 0.0, 1.0)) * bed, bedded);
         if (m.tint) {
             const double share = std::clamp(m.tinted, 0.001, 0.999);
             const double n = texture_noise(p.east, p.south, 1.7 * m.variation,
@@ -241,11 +233,6 @@ class Painter {
             colour = mixed(colour, *m.tint, smoothstep(-0.15, 0.35, n));
         }
         return colour;
-    }
-
-    static Rgb scaled(const Rgb& c, double f) {
-        const auto k = static_cast<float>(f);
-        return {k * c[0], k * c[1], k * c[2]};
     }
 
     // Beds of rock by height, thick and thin, bent a little: how much they show here, the

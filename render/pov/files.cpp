@@ -8,6 +8,7 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/parallel.h"
+#include "field/rgb.h"
 #include "render/ground/ground.h"
 #include "render/pov/pieces.h"
 #include "render/pov/scene.h"
@@ -30,12 +31,8 @@ constexpr int kPacked = 1;                     // POV-Ray reads it once
 const std::vector<std::uint8_t>& srgb_levels() {
     static const std::vector<std::uint8_t> levels = [] {
         std::vector<std::uint8_t> result(65536);
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            const double v = static_cast<double>(i) / 65535.0;
-            const double encoded =
-                v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-            result[i] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
-        }
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = srgb_level(static_cast<double>(i) / 65535.0);
         return result;
     }();
     return levels;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/border.h"
 #include "render/pov/pieces.h"
 
 namespace cydonia::render::pov {
@@ -16,14 +17,7 @@ double metres_a_unit(double size) {
 }
 
 double lowest_border(const Heights16& heights) {
-    const auto& levels = heights.levels;
-    const int right = levels.width() - 1, bottom = levels.height() - 1;
-    std::uint16_t lowest = 65535;
-    for (int x = 0; x <= right; ++x)
-        lowest = std::min({lowest, levels(x, 0), levels(x, bottom)});
-    for (int y = 0; y <= bottom; ++y)
-        lowest = std::min({lowest, levels(0, y), levels(right, y)});
-    return heights.base + heights.range * lowest / 65535.0;
+    return heights.base + heights.range * lowest_on_border(heights.levels) / 65535.0;
 }
 
 constexpr const char* kDeepGround =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/border.h"
 #include "render/pov/pieces.h"
 
 namespace cydonia::render {
@@ -38,15 +39,12 @@ float surface_at(const Terrain& terrain, int x, int y) {
 
 std::optional<double> sea_of(const Terrain& terrain) {
     std::optional<double> lowest;
-    const int right = terrain.heights.width() - 1, bottom = terrain.heights.height() - 1;
-    const auto visit = [&](int x, int y) {
+    on_border(terrain.heights, [&](int x, int y) {
         const std::size_t sample = terrain.heights.index(x, y);
         if (water_depth(terrain, sample) <= 0.0f) return;
         const double level = terrain.water[sample];
         lowest = std::min(lowest.value_or(level), level);
-    };
-    for (int x = 0; x <= right; ++x) visit(x, 0), visit(x, bottom);
-    for (int y = 0; y <= bottom; ++y) visit(0, y), visit(right, y);
+    });
     return lowest;
 }
 

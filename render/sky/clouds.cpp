@@ -10,6 +10,7 @@
 
 #include "field/noise.h"
 #include "field/parallel.h"
+#include "field/smoothstep.h"
 
 namespace cydonia::render {
 namespace {
@@ -37,11 +38,6 @@ double scattered(double cosine, double depth) {
     return pi * sum;
 }
 
-double smooth(double from, double to, double v) {
-    const double t = std::clamp((v - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
 double octaves(double x, double y, int count, std::uint64_t seed) {
     double sum = 0.0, size = 1.0;
     for (int i = 0; i < count; ++i, size *= 0.5)
@@ -62,8 +58,9 @@ float streak(double x, double y) {
     const double bend = 5e3 * gradient_noise(x / 21e3, y / 21e3, 81);
     const double along = (0.8 * x + 0.6 * y) / 26e3;
     const double across = (0.8 * y - 0.6 * x + bend) / 4.2e3;
-    const double where = smooth(-0.25, 0.5, octaves(x / 19e3, y / 19e3, 2, 82));
-    return static_cast<float>(where * smooth(-0.3, 0.8, octaves(along, across, 7, 83)));
+    const double where = smoothstep(-0.25, 0.5, octaves(x / 19e3, y / 19e3, 2, 82));
+    return static_cast<float>(where *
+                              smoothstep(-0.3, 0.8, octaves(along, across, 7, 83)));
 }
 
 double mirrored(double metres) {
@@ -102,7 +99,7 @@ double CloudLayer::thickness(double east, double north) const {
 // Of heaps, whose bases are flat: z from 0 at the base to 1 as high as any reaches.
 double CloudLayer::density(Vec3 p) const {
     if (p.z < 0.0 || p.z > 1.0) return 0.0;
-    return smooth(0.0, 0.08, p.z) * smooth(0.0, 0.18, thickness(p.x, p.y) - p.z);
+    return smoothstep(0.0, 0.08, p.z) * smoothstep(0.0, 0.18, thickness(p.x, p.y) - p.z);
 }
 
 double CloudLayer::sunlight_through(Vec3 point) const {

@@ -10,6 +10,7 @@
 #include "field/parallel.h"
 #include "field/random.h"
 #include "field/sample.h"
+#include "field/smoothstep.h"
 #include "render/camera_view.h"
 #include "render/things/originals.h"
 
@@ -21,11 +22,6 @@ constexpr double kLeastPixels = 1.0;  // a thing lower than that is not worth it
 constexpr double kGroup = 12.0;       // mean distances from one group to the next
 constexpr double kTreeLine = 0.12;    // of the relief, in which things thin out
 constexpr double kBehind = 12.0;  // heights: so far out of view a shadow may come from
-
-double smooth(double from, double to, double v) {
-    const double t = std::clamp((v - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 // Where on the land a kind stands, and how tall.
 class Suitability {
@@ -60,9 +56,10 @@ class Suitability {
     double at(double x, double y, double height) const {
         if (shows_image(x, y)) return 0.0;
         double share =
-            1.0 - smooth(std::tan(slope_[0]), std::tan(slope_[1]), steepness(x, y));
-        if (from_) share *= smooth(*from_ - 0.1 * band_, *from_ + 0.1 * band_, height);
-        if (to_) share *= 1.0 - smooth(*to_ - band_, *to_, height);
+            1.0 - smoothstep(std::tan(slope_[0]), std::tan(slope_[1]), steepness(x, y));
+        if (from_)
+            share *= smoothstep(*from_ - 0.1 * band_, *from_ + 0.1 * band_, height);
+        if (to_) share *= 1.0 - smoothstep(*to_ - band_, *to_, height);
         if (mask_) share *= bilinear(*mask_, x, y);
         if (!map_.empty())
             share *=
@@ -71,14 +68,14 @@ class Suitability {
         if (share <= 0.0 || is_wet(x, y, height)) return 0.0;
         const double e = x * terrain_.spacing / group_, n = y * terrain_.spacing / group_;
         const double grouped =
-            smooth(-0.25, 0.2,
-                   gradient_noise(e, n, seed_) +
-                       0.5 * gradient_noise(3.1 * e, 3.1 * n, mix(seed_)));
+            smoothstep(-0.25, 0.2,
+                       gradient_noise(e, n, seed_) +
+                           0.5 * gradient_noise(3.1 * e, 3.1 * n, mix(seed_)));
         return share * (1.0 - options_.clumping + options_.clumping * grouped);
     }
     // Of its full height: small towards the tree line.
     double growth(double height) const {
-        return to_ ? 1.0 - 0.65 * smooth(*to_ - band_, *to_, height) : 1.0;
+        return to_ ? 1.0 - 0.65 * smoothstep(*to_ - band_, *to_, height) : 1.0;
     }
 
   private:
