@@ -186,17 +186,7 @@ bool has_image(const config::SceneSpec& scene) {
     });
 }
 
-bool names_a_frame(const std::string& camera, int count) {
-    for (int i = 0; i < count; ++i)
-        if (camera == frame_name(kDay, i)) return true;
-    return false;
-}
-
 }  // namespace
-
-std::string frame_name(const std::string& sequence, int index) {
-    return fmt::format("{}-{:04}", sequence, index + 1);
-}
 
 const render::CameraOptions& filming_camera(
     const config::FramesSpec& frames, const std::vector<render::CameraOptions>& cameras) {
@@ -216,10 +206,6 @@ void check_day(const config::SceneSpec& scene) {
             "nothing to film: the scene has no shadow image whose sun a day could lead "
             "through; give one, or a place and a date in [frames]");
     if (frames.place) hours_of_day(real_course(frames), kLowest, frames);
-    for (const render::CameraOptions& camera : scene.render.cameras)
-        if (names_a_frame(camera.name, frames.count))
-            throw bad_request("camera '{}' has the name of a frame of the day; rename it",
-                              camera.name);
 }
 
 Day day_over(const config::FramesSpec& frames, const render::CameraOptions& camera,
@@ -232,23 +218,26 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
     const bool glimpsed = !images.empty() && key.off <= kGlimpsed;
     if (!glimpsed) key.hour = noon_of(course.path);
 
-    Sequence sequence{.name = kDay,
+    const int count = frames.count.value_or(config::FramesSpec::kCount);
+    const int key_shot = key_frame(hours, key.hour, count);
+    Sequence sequence{.name = name_of(Kind::kDay),
                       .camera = camera.name,
                       .shots = {},
-                      .key_shot = key_frame(hours, key.hour, frames.count),
+                      .exposed_by = {static_cast<std::size_t>(key_shot)},
                       .exposure = exposure_under(course.path, key.hour),
                       .rate = frames.rate,
+                      .still = key_shot,
                       .hold = glimpsed ? frames.hold : 0.0};
     const auto pace = glimpsed ? frames.pace : config::FramesSpec::Pace::kEven;
-    for (const double hour :
-         hours_of(hours, key.hour, sequence.key_shot, frames.count, pace)) {
+    for (const double hour : hours_of(hours, key.hour, key_shot, count, pace)) {
         Shot shot{camera, clock_text(hour) + course.clock};
-        shot.camera.name = frame_name(kDay, static_cast<int>(sequence.shots.size()));
+        shot.camera.name =
+            frame_name(sequence.name, static_cast<int>(sequence.shots.size()));
         shot.camera.sun = course.path(hour);
         sequence.shots.push_back(std::move(shot));
     }
     if (glimpsed && key.off < kThere)
-        sequence.shots.at(static_cast<std::size_t>(sequence.key_shot)).camera.sun =
+        sequence.shots.at(static_cast<std::size_t>(key_shot)).camera.sun =
             images.front().sun;
 
     Day day{std::move(sequence), {course_text(course, hours, frames, images)}, true};

@@ -9,8 +9,6 @@
 
 namespace cydonia {
 
-inline constexpr const char* kDay = "day";  // names the sequence
-
 // A day over the land: the sun from low in the east to low in the west.
 struct Day {
     Sequence sequence;
@@ -25,7 +23,7 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
              const std::vector<ShadowImage>& images);
 
 // Throws bad_request where there is no day to film: neither an image nor a place, or a
-// polar night; and where a camera has the name of a frame.
+// polar night.
 void check_day(const config::SceneSpec& scene);
 
 // The one that films: [frames]'s, else the first that looks straight down, else the

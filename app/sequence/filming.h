@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/pipeline/job.h"
+#include "app/sequence/sequence.h"
+
+namespace cydonia {
+
+// The frames of a sequence by POV-Ray, those that are missing: frames/<frame>.exr and
+// .png, and passes where the scene asks for them. Gives all files of the sequence.
+Made film_by_povray(Job& job, const Sequence& sequence);
+
+// A look at it by Embree: frames/<sequence>-<style>-0001.png and so on.
+Made film_by_embree(Job& job, const Sequence& sequence, render::Style style);
+
+}  // namespace cydonia
