@@ -30,9 +30,10 @@ void describe(CLI::App& app) {
 
 void add_commands(CLI::App& app, Action& action) {
     add_render(app, action);
-    add_sweep(app, action);
+    add_sequences(app, action);
     add_synth(app, action);
     add_check(app, action);
+    add_report(app, action);
     add_emit(app, action);
     add_export(app, action);
     add_gallery(app, action);

@@ -29,6 +29,8 @@ struct Request {
     bool force = false;    // goes on after a check that fell short
     bool dry_run = false;  // prints the plan only
     bool first_camera_only = false;
+    // Pixels of every frame; empty: its camera's, by quality.
+    std::optional<std::array<int, 2>> size = {};
     // Frames by Embree, shown so, instead of by POV-Ray.
     std::optional<render::Style> preview = {};
     bool explain = false;  // stages show how they came to their land
@@ -37,9 +39,9 @@ struct Request {
     std::optional<std::array<int, 2>> tile = {};
 };
 
-// How far to go; each goal includes those before it, but the sweep, which films frames of
-// its own.
-enum class Goal { kTerrain, kCheck, kEmit, kFrames, kSweep };
+// How far to go; each goal includes those before it, but what films frames of its own
+// leaves the stills and one another alone.
+enum class Goal { kTerrain, kCheck, kReport, kEmit, kFrames, kSweep, kTurntable, kFilm };
 
 std::string_view name_of(render::Quality quality);
 std::string_view name_of(render::Style style);

@@ -44,6 +44,10 @@ struct CameraOptions {
     std::vector<CameraKey> keys;  // of a path: at least two, frames rising
     bool eased = true;            // a path starts from rest and comes to rest
 
+    // What a sequence changes from frame to frame.
+    double frame = 0.0;  // where on its path the camera is
+    double turn = 0.0;   // around the land, or what it looks at; clockwise; radians
+
     // The lens. A focal length overrides the field of view.
     double field_of_view = radians(30.0);  // across the frame's width; radians
     std::optional<double> focal_length;    // millimetres

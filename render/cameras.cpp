@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/camera_checks.h"
 #include "render/camera_path.h"
@@ -74,40 +75,38 @@ bool far_side_fits(const Camera& c, const Terrain& t) {
     return true;
 }
 
-// How far below the horizon a point is seen from the eye, in the vertical plane of the
-// view.
-double depression(const Camera& c, const Vec3& p) {
-    const Vec3 ahead = normalized({c.target.x - c.eye.x, c.target.y - c.eye.y, 0.0});
-    const double forward = dot(p - c.eye, ahead);
-    return std::atan2(c.eye.z - p.z, forward);
-}
-
 // Turned until the highest skyline stands kSkyMargin below the frame's top.
 void aim(Camera& c, const Terrain& t) {
-    double skyline = radians(90.0);
-    look_over(t, [&](const Vec3& p) {
-        const Vec3 s = seen(c, p);
-        if (std::abs(s.x) <= std::tan(0.5 * c.field_of_view) * s.z)
-            skyline = std::min(skyline, depression(c, p));
-    });
-    const double down = skyline + half_height(c) * (1.0 - 2.0 * kSkyMargin);
-    if (std::abs(down) > radians(80.0)) return;
+    const CameraAxes axes(c);
+    const double side = std::tan(0.5 * c.field_of_view);
     const Vec3 ahead{c.target.x - c.eye.x, c.target.y - c.eye.y, 0.0};
+    const Vec3 forward = normalized(ahead);
+    double skyline = -std::numeric_limits<double>::infinity();  // rise over run
+    look_over(t, [&](const Vec3& p) {
+        const Vec3 s = axes(p);
+        const double run = dot(p - c.eye, forward);
+        if (run > 0.0 && std::abs(s.x) <= side * s.z)
+            skyline = std::max(skyline, (p.z - c.eye.z) / run);
+    });
+    const double down = half_height(c) * (1.0 - 2.0 * kSkyMargin) - std::atan(skyline);
+    if (std::abs(down) > radians(80.0)) return;
     c.target = c.eye + ahead + Vec3{0.0, 0.0, -length(ahead) * std::tan(down)};
 }
 
 // Whether the border of the near half of the land is in the frame.
 bool near_edge_shows(const Camera& c, const Terrain& t) {
-    const double inset =
-        1.5 * std::max({t.spacing, t.width() / kLooks, t.depth() / kLooks});
-    const double half_depth = seen(c, centre(t)).z;
-    bool shows = false;
-    look_over(t, [&](const Vec3& p) {
-        const bool border = p.x < inset || p.y < inset || p.x > t.width() - inset ||
-                            p.y > t.depth() - inset;
-        shows = shows || (border && seen(c, p).z < half_depth && in_frame(c, p));
-    });
-    return shows;
+    const CameraAxes axes(c);
+    const double half_depth = axes(centre(t)).z;
+    const int w = t.heights.width(), h = t.heights.height();
+    const auto shows = [&](int x, int y) {
+        const Vec3 p{t.spacing * (x + 0.5), t.spacing * (h - y - 0.5), t.heights(x, y)};
+        return axes(p).z < half_depth && in_frame(c, p);
+    };
+    for (int x = 0; x < w; ++x)
+        if (shows(x, 0) || shows(x, h - 1)) return true;
+    for (int y = 0; y < h; ++y)
+        if (shows(0, y) || shows(w - 1, y)) return true;
+    return false;
 }
 
 // The largest distance below `too_far` that pleases.
@@ -180,14 +179,26 @@ TimedCurve curve_of(const CameraOptions& o, const Terrain& t,
     return {std::move(frames), points, o.eased};
 }
 
-Camera on_path(Camera c, const CameraOptions& o, const Terrain& t, double frame) {
+Camera on_path(Camera c, const CameraOptions& o, const Terrain& t) {
     check_keys(o);
     const TimedCurve eye = curve_of(o, t, &CameraKey::eye);
     const TimedCurve target = curve_of(o, t, &CameraKey::target);
     check_path(o, eye, target, t);
-    c.eye = eye(frame);
-    c.target = target(frame);
+    c.eye = eye(o.frame);
+    c.target = target(o.frame);
     return c;
+}
+
+// As one piece with what it sees, so that nothing but the land seems to turn.
+void turn(Camera& c, const CameraOptions& o, const Terrain& t) {
+    if (o.turn == 0.0) return;
+    const Vec3 pivot = o.kind == CameraOptions::Kind::kLookAt ? c.target : centre(t);
+    const double cosine = std::cos(o.turn), sine = std::sin(o.turn);
+    for (Vec3* point : {&c.eye, &c.target}) {
+        const Vec3 from = *point - pivot;
+        *point = pivot + Vec3{cosine * from.x + sine * from.y,
+                              cosine * from.y - sine * from.x, from.z};
+    }
 }
 
 Camera with_lens(Camera c, const CameraOptions& o, const Terrain& t) {
@@ -209,7 +220,7 @@ double field_of_view(const CameraOptions& options) {
 }
 
 Camera place(const CameraOptions& options, const Terrain& land, Quality quality,
-             double frame, const std::optional<WaterOptions>& flood) {
+             const std::optional<WaterOptions>& flood) {
     using Kind = CameraOptions::Kind;
     const Terrain terrain = surface_of(land, flood);
     Camera camera;
@@ -232,9 +243,10 @@ Camera place(const CameraOptions& options, const Terrain& land, Quality quality,
             camera = stand(camera, options, terrain);
             break;
         case Kind::kPath:
-            camera = on_path(camera, options, terrain, frame);
+            camera = on_path(camera, options, terrain);
             break;
     }
+    turn(camera, options, terrain);
     check_axis(camera, options, terrain);
     level(camera);
     camera = with_lens(camera, options, terrain);
@@ -242,6 +254,12 @@ Camera place(const CameraOptions& options, const Terrain& land, Quality quality,
     check_view(camera, options, terrain);
     check_focus(camera, options);
     return camera;
+}
+
+bool can_turn(const CameraOptions& options) {
+    using Kind = CameraOptions::Kind;
+    return options.kind == Kind::kOblique || options.kind == Kind::kOrbit ||
+           options.kind == Kind::kLookAt;
 }
 
 std::vector<CameraOptions> default_cameras() {

@@ -21,8 +21,9 @@ using Action = std::function<void()>;
 void add_render(CLI::App& app, Action& action);
 void add_synth(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_emit(CLI::App& app, Action& action);
-void add_sweep(CLI::App& app, Action& action);
+void add_sequences(CLI::App& app, Action& action);  // sweep, turntable, film
 void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);
@@ -45,6 +46,11 @@ CLI::Option* add_scene(CLI::App& command, Request& request);
 void add_making_options(CLI::App& command, Request& request);
 // --quality and --threads, which are two of them.
 void add_effort_options(CLI::App& command, Request& request);
+
+// --engine and --style, of what draws frames; and what they may not be together.
+void add_engine(CLI::App& command, Request& request);
+void check_engine(const CLI::App& command, const Request& request);
+void add_size(CLI::App& command, Request& request);
 
 // How help is printed, by the program and its subcommands.
 void format_plainly(CLI::App& app);

@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 #include <memory>
 
@@ -83,6 +86,53 @@ void add_making_options(CLI::App& command, Request& request) {
                      "show how stages came to their land, in <DIR>/explain");
     command.add_flag("--dry-run", request.dry_run,
                      "print the plan, what is done and predicted memory only");
+}
+
+void add_engine(CLI::App& command, Request& request) {
+    using render::Style;
+    static const std::map<std::string, Style> kStyles = {
+        {"natural", Style::kNatural},  {"grey", Style::kGrey},
+        {"height", Style::kHeight},    {"slope", Style::kSlope},
+        {"ink", Style::kInk},          {"contours", Style::kContours},
+        {"radiance", Style::kRadiance}};
+    const auto engine = [&request](const std::string& name) {
+        if (name == "embree" && !request.preview) request.preview = Style::kNatural;
+    };
+    command
+        .add_option_function<std::string>(
+            "--engine", engine, "povray, or embree for a look in a second [povray]")
+        ->check(CLI::IsMember({"povray", "embree"}).description(""))
+        ->type_name("NAME");
+    const auto style = [&request](const std::string& name) {
+        request.preview = kStyles.at(name);
+    };
+    command
+        .add_option_function<std::string>(
+            "--style", style, "of embree: natural, grey, ink, contours, ... [natural]")
+        ->check(CLI::IsMember(kStyles).description(""))
+        ->type_name("NAME")
+        ->needs("--engine");
+}
+
+void check_engine(const CLI::App& command, const Request& request) {
+    if (request.preview && command.get_option("--engine")->as<std::string>() != "embree")
+        throw CLI::ValidationError("--style is for --engine embree only");
+}
+
+void add_size(CLI::App& command, Request& request) {
+    const auto size = [&request](const std::string& text) {
+        std::array<int, 2> asked{};
+        char rest = 0;
+        if (std::sscanf(text.c_str(), "%5dx%5d%c", &asked[0], &asked[1], &rest) != 2 ||
+            std::min(asked[0], asked[1]) < 16 || std::max(asked[0], asked[1]) > 16384)
+            throw CLI::ValidationError(
+                "--size is width x height, 16 to 16384 pixels each, as in 640x360");
+        request.size = asked;
+    };
+    command
+        .add_option_function<std::string>(
+            "--size", size, "pixels of every frame [the scene's, by quality]")
+        ->type_name("WxH");
 }
 
 }  // namespace cydonia

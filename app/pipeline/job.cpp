@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
+#include "app/pipeline/report_step.h"
 #include "app/pipeline/tiles.h"
-#include "app/sequence/film.h"
+#include "app/sequence/steps.h"
 #include "render/cameras.h"
 
 namespace fs = std::filesystem;
@@ -15,12 +18,32 @@ fs::path output_of(const Request& request, const config::SceneSpec& spec) {
     return request.output.empty() ? fs::path("out") / spec.name : request.output;
 }
 
+// So that with the quality's share of it they are as large as asked for.
+void resize(std::vector<render::CameraOptions>& cameras, const Request& request) {
+    if (!request.size) return;
+    const double thirds = 1.0 + static_cast<int>(request.quality);
+    for (render::CameraOptions& camera : cameras)
+        for (std::size_t i = 0; i < 2; ++i)
+            camera.size[i] =
+                static_cast<int>(std::lround((*request.size)[i] * 3.0 / thirds));
+}
+
+// A look makes frames only; the page shows what was made of the land before, too.
+std::vector<Step> with_what_else_there_is(Job& job, std::vector<Step> steps) {
+    steps.push_back(export_step(job));
+    steps.push_back(check_step(job));
+    for (const render::CameraOptions& camera : job.cameras())
+        for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
+    return steps;
+}
+
 }  // namespace
 
 Job::Job(const Request& asked, Progress& sink)
     : request(asked),
       scene_file(open_source(asked.scene)),
-      spec(config::Scene::load(asked.scene, asked.overrides).at(0.0)),
+      scene(config::Scene::load(asked.scene, asked.overrides)),
+      spec(at(0.0)),
       folder(output_of(asked, spec)),
       // A look in a second is at no finer land than a draft.
       land(spec, asked.preview ? render::Quality::kDraft : asked.quality,
@@ -29,9 +52,18 @@ Job::Job(const Request& asked, Progress& sink)
       progress(sink),
       program(open_source("/proc/self/exe").hash) {}
 
+config::SceneSpec Job::at(double frame) const {
+    config::SceneSpec then = scene.at(frame);
+    resize(then.render.cameras, request);
+    return then;
+}
+
 std::vector<render::CameraOptions> Job::cameras() const {
-    std::vector<render::CameraOptions> all =
-        spec.render.cameras.empty() ? render::default_cameras() : spec.render.cameras;
+    std::vector<render::CameraOptions> all = spec.render.cameras;
+    if (all.empty()) {
+        all = render::default_cameras();
+        resize(all, request);
+    }
     if (request.first_camera_only) all.resize(1);
     return all;
 }
@@ -48,6 +80,8 @@ std::vector<Step> steps_of(Job& job) {
     if (job.request.preview) {
         for (const render::CameraOptions& camera : job.cameras())
             steps.push_back(preview_step(job, camera));
+        for (Step& step : sequence_steps(job)) steps.push_back(std::move(step));
+        steps.push_back(report_step(job, with_what_else_there_is(job, steps)));
         return steps;
     }
     steps.push_back(export_step(job));
@@ -61,7 +95,8 @@ std::vector<Step> steps_of(Job& job) {
         for (Step& step : frame_steps(job, camera)) steps.push_back(std::move(step));
         if (job.spec.render.passes) steps.push_back(passes_step(job, camera));
     }
-    for (Step& step : day_steps(job)) steps.push_back(std::move(step));
+    for (Step& step : sequence_steps(job)) steps.push_back(std::move(step));
+    steps.push_back(report_step(job, steps));
     return steps;
 }
 

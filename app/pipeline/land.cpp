@@ -98,12 +98,16 @@ const Terrain& Land::explained(int stage, const Explain& explain) {
     return *terrain_;
 }
 
+std::uint64_t Land::drawn_key() const {
+    return factor_ == 1
+               ? key()
+               : key_of_drawn(spec_.render.fine_relief, factor_, spec_.seed, key());
+}
+
 const Terrain& Land::drawn() {
     if (factor_ == 1) return finished();
     if (terrain_ && stage_ == stages() + 1) return *terrain_;
-    const fs::path file = cached_terrain(
-        cache_,
-        key_of_drawn(spec_.render.fine_relief, factor_, spec_.seed, keys_.back()));
+    const fs::path file = cached_terrain(cache_, drawn_key());
     auto drawn = load_terrain(file);
     if (!drawn) {
         drawn = as_drawn(finished());

@@ -29,6 +29,7 @@ class Land {
     // A hash of everything that the land after `stage` stages is made from.
     std::uint64_t key(int stage) const { return keys_[static_cast<std::size_t>(stage)]; }
     std::uint64_t key() const { return keys_.back(); }
+    std::uint64_t drawn_key() const;  // likewise of the land as it is drawn
 
     // The land after `stage` stages (0: flat). The reference holds until the next call.
     const Terrain& after(int stage);

@@ -2,6 +2,8 @@
 // same land, in frames/<camera>.passes.exr or a file each.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/pipeline/cache.h"
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
@@ -11,12 +13,14 @@
 namespace cydonia {
 namespace {
 
-std::uint64_t passes_key(const Job& job, const std::string& frame) {
-    return hash_text(
-        fmt::format("passes {:016x} {:016x} {:016x} {:016x} {} {}\n{}", job.land.key(),
-                    job.program, hash_of_file(job.folder / "frames" / (frame + ".exr")),
-                    hash_of_file(job.folder / "pov" / "materials.png"), frame,
-                    name_of(job.request.quality), job.spec.render_text));
+std::uint64_t passes_key(const Job& job, const render::CameraOptions& camera,
+                         const FrameOf& of,
+                         const std::optional<render::CameraOptions>& next) {
+    return hash_text(fmt::format(
+        "passes {:016x} {:016x} {:016x} {} {} {}\n{}", of.site ? of.land : job.land.key(),
+        job.program, hash_of_file(job.folder / "frames" / (camera.name + ".exr")),
+        text_of(camera, of), next ? text_of(*next, of) : "still",
+        name_of(job.request.quality), scene_of(job, of).render_text));
 }
 
 // 1 where the first mask called "type-..." is most, 2 where the second is, ...
@@ -38,30 +42,36 @@ Field<std::uint8_t> types_of(const Terrain& terrain) {
 }
 
 // As POV-Ray had them.
-render::PassMaps maps_of(const Job& job, const Terrain& terrain) {
+render::PassMaps maps_of(const Site& site) {
     render::PassMaps maps;
-    maps.types = types_of(terrain);
-    const Field<Rgba8> materials =
-        read_rgba(open_source(job.folder / "pov" / "materials.png"));
+    maps.types = types_of(site.terrain);
+    const Field<Rgba8> materials = read_rgba(open_source(site.pov / "materials.png"));
     maps.materials = Field<std::uint8_t>(materials.width(), materials.height());
     for (std::size_t i = 0; i < materials.size(); ++i)
         maps.materials[i] = materials[i][0];
-    maps.sky_visibility =
-        read_grey(open_source(job.folder / "pov" / "sky_visibility.png"));
+    maps.sky_visibility = read_grey(open_source(site.pov / "sky_visibility.png"));
     return maps;
 }
 
-Made make_passes(Job& job, const render::CameraOptions& camera) {
+Made make_passes(Job& job, const render::CameraOptions& camera, const FrameOf& of,
+                 const std::optional<render::CameraOptions>& next) {
+    Progress& progress = of.progress ? *of.progress : job.progress;
     const render::PassOptions& options = *job.spec.render.passes;
-    const Terrain& terrain = job.land.drawn();
-    const render::Shot shot = shot_of(camera, job, terrain);
+    const config::SceneSpec& scene = scene_of(job, of);
+    const auto site = site_of(job, of);
+    const Terrain& terrain = site->terrain;
+    const render::Shot shot = shot_of(camera, job, scene, terrain);
     const render::View view(terrain, render::scenery_of(shot, terrain));
-    job.progress.report(0.1);
-    const auto points = view.seen(render::CameraRays(shot.camera), shot.smooth);
-    job.progress.report(0.4);
-    const auto layers =
-        render::passes(view, points, shot.sun, maps_of(job, terrain), options.which);
-    job.progress.report(0.7);
+    progress.report(0.1);
+    const render::CameraRays rays(shot.camera);
+    const auto points = view.seen(rays, shot.smooth);
+    progress.report(0.4);
+    auto layers = render::passes(view, points, shot.sun, maps_of(*site), options.which);
+    if (next && std::ranges::count(options.which, render::Pass::kMotion))
+        layers.push_back(render::motion_pass(
+            points, rays,
+            render::CameraRays(shot_of(*next, job, scene, terrain).camera)));
+    progress.report(0.7);
 
     Metadata metadata = job.metadata();
     metadata["cydonia:camera"] = camera.name;
@@ -84,14 +94,16 @@ Made make_passes(Job& job, const render::CameraOptions& camera) {
 
 }  // namespace
 
-Step passes_step(Job& job, const render::CameraOptions& camera) {
+Step passes_step(Job& job, const render::CameraOptions& camera, const FrameOf& of,
+                 const std::optional<render::CameraOptions>& next) {
     const auto pixels = static_cast<std::uint64_t>(camera.size[0]) *
                         static_cast<std::uint64_t>(camera.size[1]);
-    return {.name = "passes " + camera.name,
-            .goal = Goal::kFrames,
-            .memory = memory::of_passes(job.drawn_cells(), pixels),
-            .key = [&job, camera] { return passes_key(job, camera.name); },
-            .run = [&job, camera] { return make_passes(job, camera); }};
+    return {
+        .name = "passes " + camera.name,
+        .goal = Goal::kFrames,
+        .memory = memory::of_passes(job.drawn_cells(), pixels),
+        .key = [&job, camera, of, next] { return passes_key(job, camera, of, next); },
+        .run = [&job, camera, of, next] { return make_passes(job, camera, of, next); }};
 }
 
 }  // namespace cydonia

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <span>
 
 #include "app/pipeline/job.h"
 #include "app/pipeline/manifest.h"
@@ -48,9 +49,9 @@ struct PlannedStep {
     bool finished;
 };
 
-// The sweep films frames of its own and leaves the stills alone.
+// Sequences film frames of their own and leave the stills alone.
 bool is_for(const Step& step, Goal goal) {
-    return step.goal == goal || (step.goal < goal && step.goal != Goal::kFrames);
+    return step.goal == goal || step.goal < std::min(goal, Goal::kFrames);
 }
 
 // What is left to do for a goal, as far as it can be told before anything is done: a step
@@ -89,7 +90,7 @@ void print_plan(const std::vector<PlannedStep>& plan, const Job& job) {
                bytes_text(memory::available()));
 }
 
-void carry_out(const std::vector<Step>& steps, Goal goal, Job& job) {
+void carry_out(std::span<const Step> steps, Goal goal, Job& job) {
     int done = 0;
     for (const Step& step : steps) {
         if (!is_for(step, goal)) continue;
@@ -129,7 +130,10 @@ void make_here(Job& job, Goal goal) {
         carry_out(steps, goal, job);
     } catch (const Error& error) {
         // What was measured is most wanted when it fell short.
-        if (error.code() == ExitCode::kCheckFellShort) write_manifest(steps, job);
+        if (error.code() == ExitCode::kCheckFellShort) {
+            if (Goal::kReport <= goal) carry_out({&steps.back(), 1}, goal, job);
+            write_manifest(steps, job);
+        }
         throw;
     }
     write_manifest(steps, job);

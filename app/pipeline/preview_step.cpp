@@ -20,13 +20,13 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
     const auto key = [&job, camera, file] {
         return hash_text(fmt::format("preview {:016x} {:016x} {:016x} {} {} {}\n{}",
                                      job.land.key(), job.program, ocio_hash(),
-                                     camera.name, file, name_of(job.request.quality),
-                                     job.spec.render_text));
+                                     text_of(camera, {}), file,
+                                     name_of(job.request.quality), job.spec.render_text));
     };
     const auto run = [&job, camera, file, style]() -> Made {
         make_folder(job.folder / "frames");
         const Terrain& terrain = job.land.drawn();
-        const render::Shot shot = shot_of(camera, job, terrain);
+        const render::Shot shot = shot_of(camera, job, job.spec, terrain);
         render::ColourOptions colour = job.spec.render.colour;
         colour.exposure += camera.exposure;
         write_png(job.folder / file,

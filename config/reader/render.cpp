@@ -120,7 +120,8 @@ void read(Table& t, PassOptions& passes) {
         {"normal", Pass::kNormal}, {"height", Pass::kHeight},
         {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
         {"type", Pass::kType},     {"thing", Pass::kThing},
-        {"shadow", Pass::kShadow}, {"sky", Pass::kSky}};
+        {"shadow", Pass::kShadow}, {"sky", Pass::kSky},
+        {"motion", Pass::kMotion}};
     t.field("which", passes.which, one_of(kNames));
     const std::set<Pass> different(passes.which.begin(), passes.which.end());
     t.check(!different.empty() && different.size() == passes.which.size(), {"which"},

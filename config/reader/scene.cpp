@@ -20,6 +20,7 @@ struct Scene::Document {
     std::string name;
     Value root;
     Files files;
+    std::set<double> key_frames = {};
 };
 
 namespace {
@@ -94,9 +95,16 @@ Scene Scene::load(const fs::path& file, const std::vector<std::string>& override
     if (reading.key_frames.size() > kMostKeyFrames)
         throw bad_request("{}: keys at {} frames are too many; at most {}", origins.file,
                           reading.key_frames.size(), kMostKeyFrames);
+    document->key_frames = std::move(reading.key_frames);
     Scene scene(std::move(document));
-    for (const double frame : reading.key_frames) scene.at(frame);
+    for (const double frame : scene.document_->key_frames) scene.at(frame);
     return scene;
+}
+
+bool Scene::varies() const { return !document_->key_frames.empty(); }
+
+double Scene::last_key() const {
+    return varies() ? std::max(0.0, *document_->key_frames.rbegin()) : 0.0;
 }
 
 SceneSpec Scene::at(double frame) const {

@@ -25,19 +25,20 @@ struct StageSpec {
     std::vector<Source> sources;  // every file it names
 };
 
-// The frames of a day over the land, and the video of them.
+// The frames of a sequence, and the video of them.
 struct FramesSpec {
+    static constexpr int kCount = 48;
     enum class Sweep { kDay };
     enum class Pace {
         kLingering,  // slow where the image appears, fast where it is far
         kEven,       // the same time from frame to frame
     };
     Sweep sweep = Sweep::kDay;
-    int count = 48;
-    double rate = 24.0;  // frames a second
+    std::optional<int> count;  // none: as many as the keys need, else 48
+    double rate = 24.0;        // frames a second
     Pace pace = Pace::kLingering;
     double hold = 1.0;                // seconds that the video stands still on the image
-    std::string camera;               // empty: the first overhead, else the first
+    std::string camera;               // empty: the first that suits the sequence
     std::optional<Place> place;       // none: an arc through the first image's sun
     std::optional<Date> date;         // with a place
     std::optional<double> time_zone;  // hours ahead of UTC; none: by the longitude
@@ -69,6 +70,9 @@ class Scene {
 
     // The scene at a frame: values with keys interpolated, everything checked.
     SceneSpec at(double frame) const;
+
+    bool varies() const;      // whether any value has keys
+    double last_key() const;  // the last frame at which one has a key, at least 0
 
   private:
     struct Document;

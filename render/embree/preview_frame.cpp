@@ -69,30 +69,64 @@ double fresnel(double cosine) {
     return 0.5 * (s * s + p * p);
 }
 
-class Picture {
+}  // namespace
+
+struct PreviewLand::Light {
+    explicit Light(const Shot& shot)
+        : sun(shot.sun),
+          day(daylight(shot.sun, shot.options.sky)),
+          dome(sky_dome(shot.sun, shot.options.sky, kDomeHeight)) {}
+
+    Sun sun;
+    Daylight day;
+    Field<Rgb> dome;
+};
+
+class PreviewLand::Parts {
   public:
-    Picture(const Shot& shot, const Terrain& terrain)
-        : shot_(shot),
-          view_(terrain, scenery_of(shot, terrain)),
-          rays_(shot.camera),
-          to_sun_(direction_to(shot.sun)) {
-        low_ = *std::ranges::min_element(view_.terrain().heights);
+    Parts(const Shot& shot, const Terrain& terrain)
+        : view(terrain, scenery_of(shot, terrain)),
+          lowest(*std::ranges::min_element(view.terrain().heights)) {
         const Terrain small = painted(terrain);
-        albedo_ = ground_albedo(small, shot.options.ground, 1);
-        for (const Rgb& colour : albedo_)
-            mean_ = mean_ + (1.0 / static_cast<double>(albedo_.size())) * colour;
+        albedo = ground_albedo(small, shot.options.ground, 1);
+        for (const Rgb& colour : albedo)
+            mean = mean + (1.0 / static_cast<double>(albedo.size())) * colour;
         // Smooth enough for every other of those.
         const Field<float> rough =
             resized(small.heights, std::max(2, small.heights.width() / 2),
                     std::max(2, small.heights.height() / 2));
-        sky_visible_ = sky_visibility(rough, terrain.width() / rough.width());
-        light_ = daylight(shot.sun, shot.options.sky);
-        dome_ = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
-        if (pov::has_haze(shot)) {
-            air_ = pov::haze_light(shot);
-            visibility_ =
-                visibility(shot.options.sky, shot.options.haze, terrain.width());
-        }
+        sky_visible = sky_visibility(rough, terrain.width() / rough.width());
+    }
+
+    // What a sun and its sky give; shots in a row often share it.
+    const Light& light(const Shot& shot) {
+        if (!light_ || !(light_->sun == shot.sun)) light_.emplace(shot);
+        return *light_;
+    }
+
+    View view;
+    float lowest;
+    Field<Rgb> albedo;
+    Rgb mean{};  // of it
+    Field<float> sky_visible;
+
+  private:
+    std::optional<Light> light_;
+};
+
+class PreviewLand::Picture {
+  public:
+    Picture(const Shot& shot, Parts& land)
+        : shot_(shot),
+          land_(land),
+          light_(land.light(shot)),
+          view_(land.view),
+          rays_(shot.camera),
+          to_sun_(direction_to(shot.sun)) {
+        if (!pov::has_haze(shot)) return;
+        air_ = pov::haze_light(shot);
+        visibility_ =
+            visibility(shot.options.sky, shot.options.haze, view_.terrain().width());
     }
 
     Field<Rgb> drawn() const {
@@ -115,21 +149,23 @@ class Picture {
         // As POV-Ray wraps it: from +x over +z, which is north.
         const double turn = 0.25 - azimuth / (2.0 * std::numbers::pi);
         const double elevation = std::asin(std::clamp(way.z, -1.0, 1.0));
-        return bilinear(dome_, (turn - std::floor(turn)) * dome_.width() - 0.5,
-                        (0.5 - elevation / std::numbers::pi) * dome_.height() - 0.5,
-                        true);
+        return bilinear(
+            light_.dome, (turn - std::floor(turn)) * light_.dome.width() - 0.5,
+            (0.5 - elevation / std::numbers::pi) * light_.dome.height() - 0.5, true);
     }
 
     Rgb ground(const SeenPoint& p) const {
         if (p.surface == Surface::kThing) return view_.albedo(p);
-        if (p.surface == Surface::kSide || p.surface == Surface::kOutskirts) return mean_;
+        if (p.surface == Surface::kSide || p.surface == Surface::kOutskirts)
+            return land_.mean;
         const Terrain& land = view_.terrain();
         if (p.surface == Surface::kWater && shot_.around == Around::kLevel &&
             !over_land(land, vec(p.at)))
             return {};  // the open sea is deep
         const auto [east, north] = view_.on_land(p);
-        return bilinear(albedo_, east / land.width() * albedo_.width() - 0.5,
-                        (1.0 - north / land.depth()) * albedo_.height() - 0.5, false);
+        return bilinear(land_.albedo, east / land.width() * land_.albedo.width() - 0.5,
+                        (1.0 - north / land.depth()) * land_.albedo.height() - 0.5,
+                        false);
     }
 
     double visible(const SeenPoint& p) const {
@@ -138,8 +174,8 @@ class Picture {
         const Terrain& land = view_.terrain();
         const auto [east, north] = view_.on_land(p);
         const double seen = cydonia::bilinear(
-            sky_visible_, east / land.width() * sky_visible_.width() - 0.5,
-            (1.0 - north / land.depth()) * sky_visible_.height() - 0.5);
+            land_.sky_visible, east / land.width() * land_.sky_visible.width() - 0.5,
+            (1.0 - north / land.depth()) * land_.sky_visible.height() - 0.5);
         return p.surface == Surface::kThing ? kAmongLeaves * seen : seen;
     }
 
@@ -148,7 +184,7 @@ class Picture {
         const Vec3 normal = vec(p.normal);
         const double lit = shadowed ? 0.0 : std::max(0.0, dot(normal, to_sun_));
         const Rgb falling =
-            lit * light_.sun + shot_.options.sky.fill * visible(p) * light_.sky;
+            lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
         Rgb colour = ground(p);
         if (p.surface == Surface::kWater) colour = mixed(kWaterVeil, colour, kWaterClear);
         Rgb seen = colour * falling;
@@ -162,27 +198,30 @@ class Picture {
 
     Rgb hazed(const Rgb& colour, const Ray& ray, double distance) const {
         if (visibility_ <= 0.0) return colour;
-        return mixed(
-            air_, colour,
-            through_haze(visibility_, ray.from.z - low_, ray.direction.z, distance));
+        return mixed(air_, colour,
+                     through_haze(visibility_, ray.from.z - land_.lowest, ray.direction.z,
+                                  distance));
     }
 
     const Shot& shot_;
-    View view_;
+    const Parts& land_;
+    const Light& light_;
+    const View& view_;
     CameraRays rays_;
     Vec3 to_sun_;
-    float low_ = 0.0f;
-    Field<Rgb> albedo_, dome_;
-    Field<float> sky_visible_;
-    Daylight light_{};
-    Rgb mean_{}, air_{};
-    double visibility_ = 0.0;
+    Rgb air_{};                // what haze looks like in this direction
+    double visibility_ = 0.0;  // metres; 0: no haze
 };
 
-}  // namespace
+PreviewLand::PreviewLand(const Shot& shot, const Terrain& terrain)
+    : parts_(std::make_unique<Parts>(shot, terrain)) {}
+PreviewLand::~PreviewLand() = default;
+PreviewLand::PreviewLand(PreviewLand&&) noexcept = default;
+
+Field<Rgb> PreviewLand::frame(const Shot& shot) { return Picture(shot, *parts_).drawn(); }
 
 Field<Rgb> preview_frame(const Shot& shot, const Terrain& terrain) {
-    return Picture(shot, terrain).drawn();
+    return PreviewLand(shot, terrain).frame(shot);
 }
 
 }  // namespace cydonia::render

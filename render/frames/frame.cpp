@@ -75,15 +75,18 @@ void deliver_frame(const std::filesystem::path& povray_exr,
               display.shown(developed(std::move(frame), stops)));
 }
 
-Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour) {
+Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour,
+                       std::optional<double> exposure) {
     const Display display(colour);
     Field<Rgb> frame = acescg_of(std::move(rec709));
-    const double stops = own_stops(frame) + colour.exposure;
+    const double stops = (exposure ? *exposure : own_stops(frame)) + colour.exposure;
     return display.shown(developed(std::move(frame), stops));
 }
 
 double own_exposure(const std::filesystem::path& povray_exr) {
-    return own_stops(acescg_of(read_exr_rgb(povray_exr)));
+    return own_exposure(read_exr_rgb(povray_exr));
 }
+
+double own_exposure(Field<Rgb> rec709) { return own_stops(acescg_of(std::move(rec709))); }
 
 }  // namespace cydonia::render

@@ -17,10 +17,12 @@ void deliver_frame(const std::filesystem::path& povray_exr,
                    std::optional<double> exposure = {});
 
 // What `<name>.png` would be of a frame in memory, linear Rec.709.
-Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour);
+Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour,
+                       std::optional<double> exposure = {});
 
 // EV that a frame gets by itself: its 90th percentile of light shown as 0.6 of white
 // before the view. `exposure` above replaces it, so that a sequence does not flicker.
 double own_exposure(const std::filesystem::path& povray_exr);
+double own_exposure(Field<Rgb> rec709);
 
 }  // namespace cydonia::render

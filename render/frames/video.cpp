@@ -56,6 +56,21 @@ std::vector<std::string> as_webp(const Film& film) {
             "-loop",    "0"};
 }
 
+// With the colours that the film needs most, strewn in a pattern that stands still.
+std::vector<std::string> as_gif(const Film& film) {
+    return {"-vf",
+            filters(film,
+                    "scale=w='min(480,iw)':h=-1:flags=lanczos,split[film][same];"
+                    "[same]palettegen=stats_mode=full[colours];"
+                    "[film][colours]paletteuse=dither=bayer:bayer_scale=3"),
+            "-loop", "0"};
+}
+
+std::vector<std::string> as(const std::string& extension, const Film& film) {
+    if (extension == ".mp4") return as_mp4(film);
+    return extension == ".gif" ? as_gif(film) : as_webp(film);
+}
+
 std::vector<std::string> arguments(const Film& film, const fs::path& file) {
     std::vector<std::string> words{"-nostdin",
                                    "-hide_banner",
@@ -70,7 +85,7 @@ std::vector<std::string> arguments(const Film& film, const fs::path& file) {
                                    "1",
                                    "-i",
                                    film.name + "-%04d.png"};
-    const auto how = file.extension() == ".mp4" ? as_mp4(film) : as_webp(film);
+    const auto how = as(file.extension().string(), film);
     words.insert(words.end(), how.begin(), how.end());
     const std::vector<std::string> out{"-an", "-fflags", "+bitexact", "-y",
                                        fs::absolute(file).string()};

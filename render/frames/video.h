@@ -21,9 +21,9 @@ struct Film {
 std::filesystem::path ffmpeg_program();
 
 // Runs ffmpeg without a shell. What it makes goes by the file's extension: .mp4 is H.264
-// (yuv420p, Rec. 709; a black line pads odd sizes), .webp is a small picture that moves,
-// at most 480 pixels wide. On failure throws ffmpeg's own words; nothing half-written
-// keeps the name.
+// (yuv420p, Rec. 709; a black line pads odd sizes), .webp and .gif are small pictures
+// that move, at most 480 pixels wide. On failure throws ffmpeg's own words; nothing
+// half-written keeps the name.
 void encode_video(const Film& film, const std::filesystem::path& file,
                   Progress& progress);
 

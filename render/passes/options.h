@@ -17,10 +17,12 @@ enum class Pass {
     kThing,     // number of its kind in the scene
     kShadow,    // share of the sun that is hidden from there
     kSky,       // share of the sky that is seen from there
+    kMotion,    // pixels to the right and down until the next frame, of a sequence
 };
-inline constexpr Pass kAllPasses[] = {
-    Pass::kDepth,    Pass::kPosition, Pass::kNormal, Pass::kHeight, Pass::kSlope,
-    Pass::kMaterial, Pass::kType,     Pass::kThing,  Pass::kShadow, Pass::kSky};
+inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
+                                      Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
+                                      Pass::kType,   Pass::kThing,    Pass::kShadow,
+                                      Pass::kSky,    Pass::kMotion};
 
 struct PassOptions {
     std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};

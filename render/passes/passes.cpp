@@ -104,6 +104,8 @@ std::vector<PassLayer> passes(const View& view, const Field<SeenPoint>& points,
                                   *out = shadow[i];
                               });
             }
+            case Pass::kMotion:
+                return std::nullopt;  // motion_pass: it takes two cameras
             case Pass::kSky:
                 if (maps.sky_visibility.empty()) return std::nullopt;
                 return filled({"sky", {"sky.Y"}, true, {}}, points, 0.0f,

@@ -54,8 +54,7 @@ struct Plane {
 // Where a point looks at the sun from, in Embree's space.
 struct Lookout {
     Vertex from{};
-    float least = 0.0f;  // what is nearer is the point's own
-    Vec3 normal{};       // nothing in the sky
+    Vec3 normal{};  // nothing in the sky
 };
 
 }  // namespace
@@ -247,6 +246,7 @@ SeenPoint View::Scene::point(const Ray& ray, const Meeting& met, bool smooth,
         if (std::abs(s.height - at.z) < 0.01 * space.unit) at.z = s.height;
     } else if (met.surface == Surface::kSide) {
         normal = mesh.side_normal(at);
+        if (dot(normal, ray.direction) > 0.0) normal = -1.0 * normal;  // on the very rim
     } else if (met.surface == Surface::kThing) {
         const Copies::Hit hit =
             things->hit(met.instance, met.geometry, met.triangle, met.u, met.v);
@@ -269,17 +269,15 @@ Lookout View::Scene::lookout(const SeenPoint& p) const {
         at.z = s.height;
     }
     Vertex from = vertex(to_embree(at));
-    if (p.surface == Surface::kThing) {  // off its own leaf
+    // Off its own leaf, or its own side, which would shade itself.
+    if (p.surface == Surface::kThing || p.surface == Surface::kSide) {
         const float off = 8.0f * lift;
         return {{from.x + off * p.normal[0], from.y + off * p.normal[1],
                  from.z + off * p.normal[2]},
-                0.0f,
                 normal};
     }
-    // A side would shade itself.
-    if (p.surface == Surface::kSide) return {from, 1e-3f, normal};
     from.z += lift;
-    return {from, 0.0f, normal};
+    return {from, normal};
 }
 
 View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
@@ -294,7 +292,7 @@ View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
         result[i] = valid[i] ? 0 : -1;
         packet.org_x[i] = from[i].from.x, packet.org_y[i] = from[i].from.y;
         packet.org_z[i] = from[i].from.z;
-        packet.tnear[i] = from[i].least;
+        packet.tnear[i] = 0.0f;
     }
     std::fill_n(packet.dir_x, kRays, way.x);
     std::fill_n(packet.dir_y, kRays, way.y);

@@ -124,9 +124,9 @@ std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terr
 }  // namespace
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
-                                          const Options& options, Quality quality) {
+                                          const GroundOptions& options, Quality quality) {
     const GroundMap ground =
-        ground_map(terrain, options.ground, ground_detail(terrain.heights, quality));
+        ground_map(terrain, options, ground_detail(terrain.heights, quality));
     // Each in its own thread: packing is most of the work.
     tbb::parallel_invoke(
         [&] {

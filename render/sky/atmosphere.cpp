@@ -110,8 +110,9 @@ Vec3 Atmosphere::radiance(Vec3 direction) const {
     return march({0.0, 0.0, kGround + kEye}, direction, 48, true, kEndless).light;
 }
 
-Vec3 Atmosphere::air_light(Vec3 direction, double distance) const {
-    const Marched way = march({0.0, 0.0, kGround + kEye}, direction, 48, true, distance);
+Vec3 Atmosphere::air_light(Vec3 direction, double distance, double altitude) const {
+    const Marched way =
+        march({0.0, 0.0, kGround + kEye + altitude}, direction, 48, true, distance);
     return 1.0 / std::max(1e-6, 1.0 - way.passed.y) * way.light;
 }
 

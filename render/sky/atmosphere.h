@@ -18,8 +18,8 @@ class Atmosphere {
     // Toward an eye, 500 m above the sea, from a direction above the horizon.
     Vec3 radiance(Vec3 direction) const;
     // The same of the air along the first metres of the way, as if it took all light that
-    // the same air takes of green.
-    Vec3 air_light(Vec3 direction, double distance) const;
+    // the same air takes of green. The eye may be higher by `altitude` metres.
+    Vec3 air_light(Vec3 direction, double distance, double altitude = 0.0) const;
     // Of green light, per metre, so high above the sea.
     static double extinction(const SkyOptions& options, double altitude);
     // Of the light itself there: the mean over its disc, part of which may have set.

@@ -89,9 +89,10 @@ class Sky {
     }
 
     // What the air sends back on a way, as if it had taken all light there.
-    Vec3 haze(Vec3 direction, double distance) const {
-        if (!options_.air || overcast()) return radiance(direction);
-        return seen(air_.air_light(direction, distance));
+    Vec3 haze(Vec3 direction, double distance, double altitude) const {
+        if (!options_.air || overcast())
+            return radiance({direction.x, direction.y, std::max(direction.z, 0.0)});
+        return seen(air_.air_light(direction, distance, altitude));
     }
 
   private:
@@ -192,10 +193,10 @@ Daylight daylight(const Sun& sun, const SkyOptions& options) {
 }
 
 Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle,
-              double distance) {
+              double distance, double elevation, double altitude) {
     const Sky sky(sun, options);
-    return rgb(mean_of(azimuth, angle, 0.7 * kDegree,
-                       [&](Vec3 way) { return sky.haze(way, distance); }));
+    return rgb(mean_of(azimuth, angle, elevation,
+                       [&](Vec3 way) { return sky.haze(way, distance, altitude); }));
 }
 
 Field<Rgb> sky_dome(const Sun& sun, const SkyOptions& options, int height) {

@@ -23,9 +23,11 @@ Daylight daylight(const Sun& sun, const SkyOptions& options);
 // What haze sends back toward a camera that looks to an azimuth (radians from north) and
 // is as wide as `angle`: the light of the air on `distance` metres over the share of
 // green light that it takes. Near air is bluer than the horizon, which `distance`
-// reaches.
+// reaches. A camera that looks down from `altitude` metres over the land sees no farther
+// than the ground; `elevation` in radians.
 Rgb air_light(const Sun& sun, const SkyOptions& options, double azimuth, double angle,
-              double distance = 1e6);
+              double distance = 1e6, double elevation = radians(0.7),
+              double altitude = 0.0);
 
 // The sky as a latitude-longitude image, width = 2 * height, as POV-Ray's sky_sphere
 // takes it (map_type 1): the top row is the zenith, below the horizon stands the

@@ -33,7 +33,7 @@ FramesSpec at_lucerne(const Date& date) {
 }
 
 const Shot& key_of(const Day& day) {
-    return day.sequence.shots.at(static_cast<std::size_t>(day.sequence.key_shot));
+    return day.sequence.shots.at(static_cast<std::size_t>(day.sequence.still));
 }
 
 bool says(const Day& day, const std::string& words) {

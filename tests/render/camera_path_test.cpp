@@ -111,6 +111,11 @@ class Path : public testing::Test {
                 {metres(eye[0]), metres(eye[1]), metres(eye[2])},
                 {metres(300.0), metres(500.0), metres(0.0)}};
     }
+    Camera at(double frame) const {
+        CameraOptions then = camera;
+        then.frame = frame;
+        return place(then, land, Quality::kDraft);
+    }
     std::string refusal() const {
         try {
             place(camera, land, Quality::kDraft);
@@ -125,10 +130,10 @@ class Path : public testing::Test {
 };
 
 TEST_F(Path, KeysStandOverTheGroundThere) {
-    EXPECT_NEAR(place(camera, land, Quality::kDraft).eye.z, 200.0, 1e-6);
-    EXPECT_NEAR(place(camera, land, Quality::kDraft, 24.0).eye.z, 240.0, 1e-6);
-    EXPECT_NEAR(place(camera, land, Quality::kDraft, 24.0).eye.x, 320.0, 1e-6);
-    const Camera end = place(camera, land, Quality::kDraft, 1000.0);
+    EXPECT_NEAR(at(0.0).eye.z, 200.0, 1e-6);
+    EXPECT_NEAR(at(24.0).eye.z, 240.0, 1e-6);
+    EXPECT_NEAR(at(24.0).eye.x, 320.0, 1e-6);
+    const Camera end = at(1000.0);
     EXPECT_NEAR(end.eye.x, 600.0, 1e-6);
     EXPECT_NEAR(end.target.y, 500.0, 1e-6);
 }
@@ -136,9 +141,9 @@ TEST_F(Path, KeysStandOverTheGroundThere) {
 // Between two keys it flies in the air, not along the ground.
 TEST_F(Path, DoesNotFollowTheGround) {
     land.heights(12, 54) = 130.0f;
-    const double before = place(camera, land, Quality::kDraft, 8.0).eye.z;
+    const double before = at(8.0).eye.z;
     land.heights(12, 54) = 100.0f;
-    EXPECT_EQ(before, place(camera, land, Quality::kDraft, 8.0).eye.z);
+    EXPECT_EQ(before, at(8.0).eye.z);
 }
 
 TEST_F(Path, ThroughAHillIsRefusedWithTheFrame) {

@@ -135,7 +135,9 @@ TEST(FineRelief, WaterStaysLevelAndItsBedAsItIs) {
     EXPECT_LT(most, 20.0);  // what a cubic makes of the slopes between samples
     // No water at another level.
     for (std::size_t i = 0; i < fine.water.size(); ++i)
-        if (fine.water[i] != kDry) ASSERT_EQ(fine.water[i], -50.0f);
+        if (fine.water[i] != kDry) {
+            ASSERT_EQ(fine.water[i], -50.0f);
+        }
 }
 
 TEST(FineRelief, ShadowImagesKeepTheirPlaces) {

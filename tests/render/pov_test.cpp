@@ -199,7 +199,7 @@ class PovFolder : public testing::Test {
         if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     }
     void write(const Shot& shot, const Terrain& terrain) {
-        write_pov_assets(folder_.path(), terrain, shot.options, shot.quality);
+        write_pov_assets(folder_.path(), terrain, shot.options.ground, shot.quality);
         write_pov_scene(folder_.path(), shot, terrain);
     }
     Field<Rgb> render(const Shot& shot, int threads = 2) {
@@ -228,7 +228,7 @@ double mean(const Field<Rgb>& frame) {
 }
 
 TEST_F(PovFolder, EveryKindAndQualityRendersWithoutAWarning) {
-    write_pov_assets(folder_.path(), hill(), Options(), Quality::kFinal);
+    write_pov_assets(folder_.path(), hill(), GroundOptions(), Quality::kFinal);
     for (const Kind kind : {Kind::kOverhead, Kind::kOblique, Kind::kOrbit, Kind::kLookAt})
         for (const Quality quality :
              {Quality::kDraft, Quality::kPreview, Quality::kFinal}) {
