@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/export/export.h"
 #include "app/pipeline/report_step.h"
 #include "app/pipeline/tiles.h"
 #include "app/sequence/steps.h"
@@ -45,12 +46,16 @@ Job::Job(const Request& asked, Progress& sink)
       scene(config::Scene::load(asked.scene, asked.overrides)),
       spec(at(0.0)),
       folder(output_of(asked, spec)),
-      // A look in a second is at no finer land than a draft.
-      land(spec, asked.preview ? render::Quality::kDraft : asked.quality,
-           folder / ".cache", sink),
+      land(land_of(spec, sink)),
       ledger(folder),
       progress(sink),
       program(open_source("/proc/self/exe").hash) {}
+
+Land Job::land_of(const config::SceneSpec& then, Progress& sink) const {
+    // A look in a second is at no finer land than a draft.
+    return {then, request.preview ? render::Quality::kDraft : request.quality,
+            folder / ".cache", sink};
+}
 
 config::SceneSpec Job::at(double frame) const {
     config::SceneSpec then = scene.at(frame);
@@ -85,7 +90,7 @@ std::vector<Step> steps_of(Job& job) {
         return steps;
     }
     steps.push_back(export_step(job));
-    if (job.request.solid) steps.push_back(solid_step(job));
+    if (job.request.export_as) steps.push_back(export_file_step(job));
     steps.push_back(check_step(job));
     steps.push_back(assets_step(job));
     for (const render::CameraOptions& camera : job.cameras()) {

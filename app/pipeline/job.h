@@ -45,6 +45,8 @@ struct Job {
     std::vector<render::CameraOptions> cameras() const;  // asked for; at least one
     // The scene at a frame, as it was asked for.
     config::SceneSpec at(double frame) const;
+    // Its land, which refers to it.
+    Land land_of(const config::SceneSpec& then, Progress& progress) const;
     Metadata metadata() const;  // for the headers of what we write
 };
 
@@ -72,7 +74,6 @@ struct FrameOf {
 // The steps of a job, in the order in which they are done.
 std::vector<Step> stage_steps(Job& job);  // each after its explanation, if asked for
 Step export_step(Job& job);
-Step solid_step(Job& job);  // of a request for one
 Step check_step(Job& job);
 Step assets_step(Job& job);
 Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of = {});

@@ -42,10 +42,6 @@ std::uint64_t key_of(const Land& land, const config::SceneSpec& scene) {
         fmt::format("{:016x}\n{}", land.drawn_key(), land_text(scene.render_text)));
 }
 
-Land land_of(const config::SceneSpec& scene, const Job& job, Progress& progress) {
-    return {scene, job.request.quality, job.folder / ".cache", progress};
-}
-
 // Heeds an interruption and says nothing: the sequence is what the user waits for.
 class Silence final : public Progress {
   public:
@@ -87,7 +83,7 @@ void Sites::choose(const Shot& shot, FrameOf& frame) {
     if (!shot.scene) return;
     frame.scene = shot.scene.get();
     Silence silence(job_.progress);
-    const std::uint64_t key = key_of(land_of(*shot.scene, job_, silence), *shot.scene);
+    const std::uint64_t key = key_of(job_.land_of(*shot.scene, silence), *shot.scene);
     if (key == jobs_own_) return;
     frame.land = key;
     frame.site = [this, key, &scene = *shot.scene] { return at(key, scene); };
@@ -98,13 +94,15 @@ std::shared_ptr<const Site> Sites::at(std::uint64_t key, const config::SceneSpec
     std::shared_ptr<const Own> own = made_[key].lock();
     if (!own) {
         Silence silence(job_.progress);
-        Land land = land_of(scene, job_, silence);
+        Land land = job_.land_of(scene, silence);
         const fs::path folder =
             job_.folder / "pov" / fmt::format("{}{:016x}", kFolder, key);
-        make_folder(folder);
         own = std::make_shared<const Own>(folder, land.drawn());
-        render::write_pov_assets(folder, own->terrain, scene.render.ground,
-                                 job_.request.quality);
+        if (!job_.request.preview) {  // of POV-Ray
+            make_folder(folder);
+            render::write_pov_assets(folder, own->terrain, scene.render.ground,
+                                     job_.request.quality);
+        }
         made_[key] = own;
     }
     latest_ = own;  // the next frame may want it

@@ -170,8 +170,7 @@ std::string timeline_text(Job& job) try {
     for (const Shot& shot : plan_of(Kind::kFilm, job).sequence.shots) {
         text += text_of(shot.camera, {.moments = shot.moments}) + '\n';
         if (!shot.scene) continue;
-        const Land land(*shot.scene, job.request.quality, job.folder / ".cache",
-                        job.progress);
+        const Land land = job.land_of(*shot.scene, job.progress);
         text += fmt::format("{:016x}\n{}\n", land.drawn_key(), shot.scene->render_text);
     }
     return text;
