@@ -6,17 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "field/solid.h"
+#include "app/export/request.h"
 #include "render/embree/style.h"
 #include "render/options.h"
 
 namespace cydonia {
-
-// The land as a solid, besides.
-struct SolidRequest {
-    MeshFormat format = MeshFormat::kStl;
-    SolidOptions options = {};
-};
 
 // What the command line asks for.
 struct Request {
@@ -34,7 +28,7 @@ struct Request {
     // Frames by Embree, shown so, instead of by POV-Ray.
     std::optional<render::Style> preview = {};
     bool explain = false;  // stages show how they came to their land
-    std::optional<SolidRequest> solid = {};
+    std::optional<ExportRequest> export_as = {};  // besides
     // Of a land in tiles only this one: column from the west, row from the north.
     std::optional<std::array<int, 2>> tile = {};
 };

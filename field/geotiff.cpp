@@ -2,7 +2,6 @@
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
-#include <ogr_spatialref.h>
 
 #include <atomic>
 #include <vector>
@@ -13,13 +12,6 @@
 
 namespace cydonia {
 namespace {
-
-OGRSpatialReference local_metres() {
-    OGRSpatialReference plane;
-    plane.SetLocalCS("Cydonia");
-    plane.SetLinearUnits("metre", 1.0);
-    return plane;
-}
 
 bool encoded(const Terrain& terrain, const char* name) {
     const int width = terrain.heights.width(), height = terrain.heights.height();
@@ -32,6 +24,13 @@ bool encoded(const Terrain& terrain, const char* name) {
 }
 
 }  // namespace
+
+OGRSpatialReference local_metres() {
+    OGRSpatialReference plane;
+    plane.SetLocalCS("Cydonia");
+    plane.SetLinearUnits("metre", 1.0);
+    return plane;
+}
 
 MemoryFile::MemoryFile() {
     static std::atomic<int> count = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <ogr_spatialref.h>
+
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -8,7 +10,10 @@
 
 namespace cydonia {
 
-// Internal to field/: what all our GeoTIFF files have in common.
+// Internal to field/: what all files that GDAL writes for us have in common.
+
+// The land's own plane.
+OGRSpatialReference local_metres();
 
 // A file in memory, gone with this: so that only write_text meets the disk, where GDAL
 // reports a full one on some paths only.

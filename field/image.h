@@ -46,6 +46,8 @@ void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& gre
 void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey,
                int level = 6);
 void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb, int level = 6);
+// A PNG's bytes.
+std::string png_of(const Field<Rgb8>& rgb);
 // A JPEG's bytes, for pages to look at; quality 1 to 100.
 std::string jpeg_of(const Field<Rgb8>& rgb, int quality);
 void write_exr(const std::filesystem::path& path, const Field<float>& values,
@@ -60,5 +62,8 @@ void write_exr(const std::filesystem::path& path, const Field<Rgb>& rgb,
 // Stretched to width x height, each axis by itself: area average where it shrinks,
 // bilinear where it grows. For masks and targets.
 Field<float> resized(const Field<float>& image, int width, int height);
+// Averaged to at most `samples`, 2 or more, along the longer side, the other in
+// proportion.
+Field<float> at_most(const Field<float>& image, int samples);
 
 }  // namespace cydonia

@@ -71,6 +71,11 @@ void write_png(const std::filesystem::path& path, const Field<Rgb8>& rgb, int le
     write_png_of(path, rgb, 3, OIIO::TypeUInt8, "sRGB", level);
 }
 
+std::string png_of(const Field<Rgb8>& rgb) {
+    OIIO::ImageSpec spec(rgb.width(), rgb.height(), 3, OIIO::TypeUInt8);
+    return encoded("picture.png", "png", spec, OIIO::TypeUInt8, rgb.data());
+}
+
 std::string jpeg_of(const Field<Rgb8>& rgb, int quality) {
     OIIO::ImageSpec spec(rgb.width(), rgb.height(), 3, OIIO::TypeUInt8);
     spec["oiio:ColorSpace"] = "sRGB";

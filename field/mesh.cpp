@@ -1,6 +1,6 @@
 // Why not Assimp's exporters (5.2): the normals of its STL are means over the triangles
-// that share a corner, its glTF declares extensions that nothing in it uses, and a grid
-// of 1024 x 1024 takes its OBJ 11 s and 1.1 GB. It reads these files back in the tests.
+// that share a corner, and a grid of 1024 x 1024 takes its OBJ 11 s and 1.1 GB. It reads
+// these files back in the tests.
 #include "field/mesh.h"
 
 #include <fmt/format.h>
@@ -77,62 +77,24 @@ std::string ply_of(const Mesh& mesh) {
     return bytes;
 }
 
-std::array<float, 3> in_gltf(const std::array<float, 3>& v) {
-    return {v[0] / 1000.0f, v[2] / 1000.0f, -v[1] / 1000.0f};
-}
-
-// Khronos, glTF 2.0 specification, sections 3.6 (accessors) and 4 (GLB). Without normals
-// it is shaded flat (section 3.7.2.1), as the triangles are.
-std::string glb_of(const Mesh& mesh) {
-    std::array<float, 3> low = in_gltf(mesh.vertices.front()), high = low;
-    for (const auto& vertex : mesh.vertices) {
-        const auto v = in_gltf(vertex);
-        for (std::size_t k = 0; k < 3; ++k) {
-            low[k] = std::min(low[k], v[k]);
-            high[k] = std::max(high[k], v[k]);
-        }
-    }
-    const std::uint32_t vertex_bytes = 12 * count_of(mesh.vertices);
-    const std::uint32_t index_bytes = 12 * count_of(mesh.triangles);
-    std::string json = fmt::format(
-        R"({{"asset":{{"version":"2.0","generator":"Cydonia"}},"scene":0,)"
-        R"("scenes":[{{"nodes":[0]}}],"nodes":[{{"name":"land","mesh":0}}],)"
-        R"("materials":[{{"pbrMetallicRoughness":{{"baseColorFactor":[0.8,0.8,0.8,1],)"
-        R"("metallicFactor":0,"roughnessFactor":1}}}}],)"
-        R"("meshes":[{{"name":"land","primitives":[{{"attributes":{{"POSITION":0}},)"
-        R"("indices":1,"material":0}}]}}],)"
-        R"("buffers":[{{"byteLength":{}}}],)"
-        R"("bufferViews":[{{"buffer":0,"byteLength":{},"target":34962}},)"
-        R"({{"buffer":0,"byteOffset":{},"byteLength":{},"target":34963}}],)"
-        R"("accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":{},)"
-        R"("min":[{}],"max":[{}]}},)"
-        R"({{"bufferView":1,"componentType":5125,"type":"SCALAR","count":{}}}]}})",
-        vertex_bytes + index_bytes, vertex_bytes, vertex_bytes, index_bytes,
-        mesh.vertices.size(), fmt::join(low, ","), fmt::join(high, ","),
-        3 * mesh.triangles.size());
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-
-    std::string bytes;
-    const std::uint32_t whole =
-        28 + static_cast<std::uint32_t>(json.size()) + vertex_bytes + index_bytes;
-    bytes.reserve(whole);
-    bytes += "glTF";
-    append(bytes, std::uint32_t{2});
-    append(bytes, whole);
-    append(bytes, static_cast<std::uint32_t>(json.size()));
-    bytes += "JSON";
-    bytes += json;
-    append(bytes, vertex_bytes + index_bytes);
-    bytes += std::string_view("BIN\0", 4);
-    for (const auto& vertex : mesh.vertices) append(bytes, in_gltf(vertex));
-    for (const auto& triangle : mesh.triangles) append(bytes, triangle);
-    return bytes;
-}
-
 }  // namespace
 
+std::vector<std::array<std::uint32_t, 3>> triangles_over(int width, int height) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(2 * std::size_t(width - 1) * std::size_t(height - 1));
+    for (int y = 0; y + 1 < height; ++y) {
+        for (int x = 0; x + 1 < width; ++x) {
+            const auto nw = static_cast<std::uint32_t>(y * width + x);
+            const auto sw = nw + static_cast<std::uint32_t>(width);
+            triangles.push_back({nw, sw, sw + 1});
+            triangles.push_back({nw, sw + 1, nw + 1});
+        }
+    }
+    return triangles;
+}
+
 std::string_view name_of(MeshFormat format) {
-    constexpr std::array<std::string_view, 4> kNames = {"stl", "obj", "ply", "glb"};
+    constexpr std::array<std::string_view, 3> kNames = {"stl", "obj", "ply"};
     return kNames[static_cast<std::size_t>(format)];
 }
 
@@ -144,11 +106,9 @@ std::string file_of(const Mesh& mesh, MeshFormat format) {
         case MeshFormat::kObj:
             return obj_of(mesh);
         case MeshFormat::kPly:
-            return ply_of(mesh);
-        case MeshFormat::kGlb:
             break;
     }
-    return glb_of(mesh);
+    return ply_of(mesh);
 }
 
 }  // namespace cydonia

@@ -15,9 +15,12 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Binary STL, OBJ and PLY keep the mesh's millimetres and z up; glTF (.glb) is in metres
-// with y up and north at -z, as its specification asks.
-enum class MeshFormat { kStl, kObj, kPly, kGlb };
+// The triangles between width x height samples, row 0 in the north, each square split
+// NW-SE and facing up.
+std::vector<std::array<std::uint32_t, 3>> triangles_over(int width, int height);
+
+// Binary STL, OBJ and binary PLY.
+enum class MeshFormat { kStl, kObj, kPly };
 
 // "stl": as the command line and the file's extension name it.
 std::string_view name_of(MeshFormat format);

@@ -65,4 +65,15 @@ Field<float> resized(const Field<float>& image, int width, int height) {
     return resized_across(resized_across(image, width), height);
 }
 
+Field<float> at_most(const Field<float>& image, int samples) {
+    assert(samples >= 2);
+    const int longer = std::max(image.width(), image.height());
+    if (longer <= samples) return image;
+    const auto scaled = [&](int side) {
+        return std::max(2,
+                        static_cast<int>(std::lround(double(side) * samples / longer)));
+    };
+    return resized(image, scaled(image.width()), scaled(image.height()));
+}
+
 }  // namespace cydonia

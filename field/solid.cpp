@@ -19,17 +19,6 @@ void expect_within(const char* name, double value, double low, double high,
     throw bad_request("{}: {} is not between {} and {}{}", name, value, low, high, unit);
 }
 
-// The longer side at `samples` at most, the other in proportion.
-Field<float> at_most(const Field<float>& heights, int samples) {
-    const int longer = std::max(heights.width(), heights.height());
-    if (longer <= samples) return heights;
-    const auto scaled = [&](int side) {
-        return std::max(2,
-                        static_cast<int>(std::lround(double(side) * samples / longer)));
-    };
-    return resized(heights, scaled(heights.width()), scaled(heights.height()));
-}
-
 // The surface's outermost samples, counter-clockwise from above, from the north-west.
 std::vector<std::uint32_t> border_of(const Field<float>& heights) {
     const int right = heights.width() - 1, bottom = heights.height() - 1;
@@ -42,21 +31,6 @@ std::vector<std::uint32_t> border_of(const Field<float>& heights) {
     for (int y = bottom; y > 0; --y) add(right, y);
     for (int x = right; x > 0; --x) add(x, 0);
     return border;
-}
-
-std::vector<std::array<std::uint32_t, 3>> surface(const Field<float>& heights) {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    const std::size_t squares = std::size_t(heights.width() - 1) * (heights.height() - 1);
-    triangles.reserve(2 * squares + 6 * std::size_t(heights.width() + heights.height()));
-    for (int y = 0; y + 1 < heights.height(); ++y) {
-        for (int x = 0; x + 1 < heights.width(); ++x) {
-            const auto nw = static_cast<std::uint32_t>(heights.index(x, y));
-            const auto sw = nw + static_cast<std::uint32_t>(heights.width());
-            triangles.push_back({nw, sw, sw + 1});
-            triangles.push_back({nw, sw + 1, nw + 1});
-        }
-    }
-    return triangles;
 }
 
 // Down from the surface's border, and the plate's underside about its middle.
@@ -115,7 +89,7 @@ Solid solid_of(const Terrain& terrain, const SolidOptions& options) {
                  float(options.base + rise * (double(heights(x, y)) - low))});
         }
     }
-    mesh.triangles = surface(heights);
+    mesh.triangles = triangles_over(width, height);
     close(mesh, border_of(heights), size);
     return {std::move(mesh), size, scale, width, height};
 }

@@ -79,16 +79,6 @@ double tint(double height, int channel) {
 constexpr std::array<std::array<double, 3>, 2> kWaterTints{
     {{128, 164, 180}, {38, 66, 98}}};
 
-Field<float> at_most(const Field<float>& heights, int longest) {
-    const double scale =
-        static_cast<double>(longest) / std::max(heights.width(), heights.height());
-    if (scale >= 1.0) return heights;
-    const auto scaled = [&](int side) {
-        return std::max(1, static_cast<int>(std::lround(scale * side)));
-    };
-    return resized(heights, scaled(heights.width()), scaled(heights.height()));
-}
-
 struct Water {
     Field<float> depth, share;  // metres; how much of a pixel is under water. Or empty
     float deepest = 0.0f;

@@ -7,38 +7,66 @@
 #include "app/pipeline/pipeline.h"
 
 namespace cydonia {
+namespace {
+
+const std::map<std::string, ExportFormat>& formats() {
+    static const std::map<std::string, ExportFormat> formats = [] {
+        std::map<std::string, ExportFormat> all;
+        const auto add = [&](const ExportFormat& f) { all[std::string(name_of(f))] = f; };
+        for (const MeshFormat f : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly})
+            add(f);
+        add(GltfFormat{});
+        for (const HeightFormat f :
+             {HeightFormat::kTer, HeightFormat::kTif, HeightFormat::kPng16,
+              HeightFormat::kRaw16, HeightFormat::kRaw32, HeightFormat::kExr,
+              HeightFormat::kXyz})
+            add(f);
+        return all;
+    }();
+    return formats;
+}
+
+// All else is in metres.
+void check_solid(const CLI::App& command, const ExportRequest& asked) {
+    if (std::holds_alternative<MeshFormat>(asked.format)) return;
+    for (const char* name : {"--size", "--base", "--scale-z"})
+        if (command.get_option(name)->count() > 0)
+            throw CLI::ValidationError(
+                std::string(name) + " is for the solids stl, obj and ply; " +
+                std::string(name_of(asked.format)) + " is in metres, true to scale");
+}
+
+}  // namespace
 
 void add_export(CLI::App& app, Action& action) {
-    static const std::map<std::string, MeshFormat> kFormats = {{"stl", MeshFormat::kStl},
-                                                               {"obj", MeshFormat::kObj},
-                                                               {"ply", MeshFormat::kPly},
-                                                               {"glb", MeshFormat::kGlb}};
     const auto request = std::make_shared<Request>();
-    SolidRequest& solid = request->solid.emplace();
+    ExportRequest& asked = request->export_as.emplace();
     CLI::App* command = add_command(
-        app, {"export", "Make the land a solid to print and light with a lamp",
+        app, {"export", "Make the land a file for printers and other programs",
               "export scenes/text/scene.toml --to stl --size 200"});
     add_scene(*command, *request)->required();
     command
         ->add_option_function<std::string>(
             "--to",
-            [&solid](const std::string& name) { solid.format = kFormats.at(name); },
-            "stl, obj, ply or glb [stl]")
-        ->check(CLI::IsMember(kFormats).description(""))
+            [&asked](const std::string& name) { asked.format = formats().at(name); },
+            "[stl] obj ply glb ter tif png16 raw16 raw32 exr xyz")
+        ->check(CLI::IsMember(formats()).description(""))
         ->type_name("NAME");
     const auto add_number = [&](const char* name, auto& value, const char* type,
                                 const char* description) {
         command->add_option(name, value, description)->type_name(type);
     };
-    SolidOptions& options = solid.options;
-    add_number("--size", options.size, "MM", "millimetres of its longer side [150]");
-    add_number("--base", options.base, "MM", "plate under the lowest ground [3]");
-    add_number("--scale-z", options.scale_z, "F", "heights times this [1]");
-    add_number("--samples", options.samples, "N", "at most, on the longer side [512]");
+    SolidOptions& solid = asked.solid;
+    add_number("--size", solid.size, "MM", "of a solid's longer side [150]");
+    add_number("--base", solid.base, "MM", "plate under the lowest ground [3]");
+    add_number("--scale-z", solid.scale_z, "F", "a solid's heights times this [1]");
+    add_number("--samples", asked.samples, "N",
+               "at most, on the longer side [512; heights: all]");
     add_making_options(*command, *request);
     for (const char* of_frames : {"--quality", "--force"})
         command->remove_option(command->get_option(of_frames));
-    command->callback([request, &action] {
+    command->callback([request, command, &action] {
+        check_solid(*command, *request->export_as);
         action = [request] {
             Console console(style_for_stderr(request->quiet));
             make(*request, Goal::kTerrain, console);

@@ -138,6 +138,16 @@ std::uint64_t of_solid(std::uint64_t cells, int samples) {
     const auto side = static_cast<std::uint64_t>(std::max(samples, 2));
     return kProgram + 60 * cells + 160 * std::min(cells, side * side);
 }
+std::uint64_t of_heights(std::uint64_t cells, int samples, bool as_text) {
+    const auto side = static_cast<std::uint64_t>(samples);
+    return kProgram + 24 * cells + (as_text ? 90 : 30) * std::min(cells, side * side);
+}
+// Its vertices and triangles once in arrays and twice in the file, and both textures.
+std::uint64_t of_gltf(std::uint64_t cells, int samples) {
+    const auto side = static_cast<std::uint64_t>(std::max(samples, 2));
+    return kProgram + 40 * cells + 18 * ground_pixels(cells) +
+           250 * std::min(cells, side * side);
+}
 // Land and base are cast, several suns at once.
 std::uint64_t of_check(std::uint64_t cells) { return kProgram + 130 * cells; }
 

@@ -21,6 +21,9 @@ std::uint64_t of_tile(const StageOptions& options, int width, int height,
 std::uint64_t of_export(std::uint64_t cells);
 // At most `samples` along the longer side.
 std::uint64_t of_solid(std::uint64_t cells, int samples);
+std::uint64_t of_heights(std::uint64_t cells, int samples, bool as_text);
+// Of the land as it is drawn.
+std::uint64_t of_gltf(std::uint64_t cells, int samples);
 std::uint64_t of_check(std::uint64_t cells);
 std::uint64_t of_emit(std::uint64_t cells);
 std::uint64_t of_trace(std::uint64_t cells, std::uint64_t pixels);

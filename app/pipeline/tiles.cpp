@@ -216,7 +216,7 @@ void check_request(const Job& job, Goal goal) {
         throw bad_request("--tile: {} has no tiles; give [terrain] tiles = 2048",
                           request.scene.string());
     }
-    if (goal != Goal::kTerrain || request.solid || request.explain)
+    if (goal != Goal::kTerrain || request.export_as || request.explain)
         throw bad_request(
             "land in tiles is made by synth, and no more is done with it; for the same "
             "land whole and smaller: --set terrain.tiles=0 --set terrain.samples=2048");

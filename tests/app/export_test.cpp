@@ -1,11 +1,13 @@
-// Land as a solid, through the program that was built.
+// Land for printers and other programs, through the program that was built.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "field/files.h"
+#include "field/image.h"
 #include "field/solid.h"
 #include "render/shadow/caster.h"
 #include "tests/app/program.h"
@@ -24,6 +26,9 @@ struct Export : testing::Test {
     Outcome ask(std::vector<std::string> options) const {
         options.insert(options.begin(), {"export", "land.toml", "-o", "out"});
         return run({folder.path()}, options);
+    }
+    nlohmann::json json_in(const std::string& file) const {
+        return nlohmann::json::parse(read_text(folder / file));
     }
     nlohmann::json figures(const std::string& step) const {
         return nlohmann::json::parse(read_text(folder / "out/manifest.json"))
@@ -57,11 +62,81 @@ TEST_F(Export, AnStlUnlessAnotherFormatIsNamed) {
 }
 
 TEST_F(Export, EveryFormatBesideTheOthers) {
-    for (const char* format : {"stl", "obj", "ply", "glb"})
-        EXPECT_EQ(ask({"--to", format, "--quiet"}).code, 0);
-    EXPECT_EQ(files_below(folder / "out/export"),
-              (std::vector<std::string>{"land.glb", "land.obj", "land.ply", "land.stl"}));
+    std::vector<std::string> expected;
+    for (const auto& [format, extension] : {std::pair{"stl", "stl"},
+                                            {"obj", "obj"},
+                                            {"ply", "ply"},
+                                            {"glb", "glb"},
+                                            {"ter", "ter"},
+                                            {"tif", "tif"},
+                                            {"png16", "png"},
+                                            {"raw16", "r16"},
+                                            {"raw32", "r32"},
+                                            {"exr", "exr"},
+                                            {"xyz", "xyz"}}) {
+        const Outcome outcome = ask({"--to", format, "--quiet"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        for (const char* end : {"", ".json"})
+            expected.push_back(std::string("land.") + extension + end);
+        const auto sidecar =
+            json_in(std::string("out/export/land.") + extension + ".json");
+        EXPECT_EQ(sidecar.at("file"), std::string("land.") + extension);
+        EXPECT_EQ(sidecar.at("format"), format);
+        EXPECT_TRUE(sidecar.at("axes").contains("up"));
+        EXPECT_TRUE(sidecar.contains("origin"));
+    }
+    std::ranges::sort(expected);
+    EXPECT_EQ(files_below(folder / "out/export"), expected);
     EXPECT_EQ(temporary_files(folder.path()), std::vector<std::string>{});
+}
+
+// The ".json" alone is enough to get the land's metres from the levels.
+TEST_F(Export, SidecarsSayHowToGetMetres) {
+    EXPECT_EQ(ask({"--to", "raw16"}).code, 0);
+    const auto sidecar = json_in("out/export/land.r16.json");
+    EXPECT_EQ(sidecar.at("samples"), nlohmann::json::array({64, 64}));
+    EXPECT_EQ(sidecar.at("spacing"), 20.0);
+    EXPECT_EQ(sidecar.at("byte_order"), "little-endian");
+    EXPECT_EQ(sidecar.at("rows"), "from north to south");
+    const double offset = sidecar.at("metres").at("offset");
+    const double scale = sidecar.at("metres").at("scale");
+    const Field<float> heights = read_exr(folder / "out/terrain.exr");
+    const std::string raw = read_text(folder / "out/export/land.r16");
+    ASSERT_EQ(raw.size(), 2 * heights.size());
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        std::uint16_t level;
+        std::memcpy(&level, raw.data() + 2 * i, 2);
+        ASSERT_NEAR(offset + scale * level, double(heights[i]), 0.51 * scale);
+    }
+    const auto range = sidecar.at("range").at("metres");
+    EXPECT_NEAR(range[0].get<double>(), double(std::ranges::min(heights)), scale);
+    EXPECT_NEAR(range[1].get<double>(), double(std::ranges::max(heights)), scale);
+}
+
+TEST_F(Export, HeightsAreAveragedToFewerSamples) {
+    const Outcome outcome = ask({"--to", "raw32", "--samples", "16"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(json_in("out/export/land.r32.json").at("spacing"), 80.0);
+    EXPECT_EQ(fs::file_size(folder / "out/export/land.r32"), 16u * 16 * 4);
+    EXPECT_NE(outcome.err.find("16 x 16 samples 80 m apart"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(Export, GltfHasTheScenesCameraAndSun) {
+    const Outcome outcome = ask({"--to", "glb", "--samples", "32"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto sidecar = json_in("out/export/land.glb.json");
+    EXPECT_EQ(sidecar.at("unit"), "metre");
+    EXPECT_EQ(sidecar.at("axes").at("up"), "y");
+    EXPECT_EQ(sidecar.at("cameras"), nlohmann::json::array({"overhead"}));
+    EXPECT_EQ(sidecar.at("triangles"), 2 * 31 * 31);
+    // What the frames show is what it has: another sun is another file.
+    const std::string before = read_text(folder / "out/export/land.glb");
+    EXPECT_EQ(ask({"--to", "glb", "--set", "render.sun.azimuth=90", "--set",
+                   "render.sun.elevation=20"})
+                  .code,
+              0);
+    EXPECT_NE(read_text(folder / "out/export/land.glb"), before);
 }
 
 TEST_F(Export, NotTwiceAndAnewForAnotherSize) {
@@ -135,5 +210,11 @@ TEST_F(Export, BadInput) {
     expect_refused({"--samples", "1"}, "samples: ");
     expect_refused({"--samples", "100000"}, "samples: ");
     expect_refused({"--to", "step"}, "step");
+    for (const char* format : {"glb", "ter", "raw16", "xyz"})
+        for (const char* samples : {"0", "1", "-5", "100000", "99999999999"})
+            expect_refused({"--to", format, "--samples", samples}, "samples");
+    expect_refused({"--to", "glb", "--size", "100"}, "--size is for the solids");
+    expect_refused({"--to", "raw16", "--scale-z", "2"}, "--scale-z is for the solids");
+    expect_refused({"--to", "xyz", "--base", "2"}, "--base is for the solids");
     expect_refused({"--to", "stl", "--dry-run", "--size", "0"}, "size: ");
 }

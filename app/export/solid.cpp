@@ -1,17 +1,25 @@
+// The land as a thing to hold.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "app/export/export.h"
 #include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
 
 namespace cydonia {
 namespace {
+
+constexpr int kSamples = 512;
+
+struct SolidRequest {
+    MeshFormat format;
+    SolidOptions options;
+};
 
 std::string file_name(const Job& job, MeshFormat format) {
     return fmt::format("export/{}.{}", job.spec.name, name_of(format));
@@ -33,14 +41,19 @@ Made make_solid(Job& job, const SolidRequest& asked) {
     const std::string file = file_name(job, asked.format);
     make_folder(job.folder / "export");
     write_text(job.folder / file, file_of(solid.mesh, asked.format));
-    return {{file},
-            {{"millimetres", {solid.size.x, solid.size.y, solid.size.z}},
-             {"base", asked.options.base},
-             {"scale_z", asked.options.scale_z},
-             {"millimetres_a_metre", solid.millimetres_a_metre},
-             {"samples", {solid.width, solid.height}},
-             {"triangles", solid.mesh.triangles.size()},
-             {"lamps", lamps_of(terrain, asked.options)}}};
+    return with_sidecar(job, file,
+                        {{"format", name_of(asked.format)},
+                         {"unit", "millimetre"},
+                         {"axes", axes("x", "y", "z")},
+                         {"origin", "the south-western corner of the plate's underside"},
+                         {"millimetres", {solid.size.x, solid.size.y, solid.size.z}},
+                         {"base", asked.options.base},
+                         {"scale_z", asked.options.scale_z},
+                         {"millimetres_a_metre", solid.millimetres_a_metre},
+                         {"lowest", *std::ranges::min_element(terrain.heights)},
+                         {"samples", {solid.width, solid.height}},
+                         {"triangles", solid.mesh.triangles.size()},
+                         {"lamps", lamps_of(terrain, asked.options)}});
 }
 
 void say_its_size(const Json& result, const SolidRequest& asked, const Job& job) {
@@ -94,7 +107,9 @@ std::string text_of(const SolidOptions& o) {
 }  // namespace
 
 Step solid_step(Job& job) {
-    const SolidRequest asked = *job.request.solid;
+    const ExportRequest& request = *job.request.export_as;
+    SolidRequest asked{std::get<MeshFormat>(request.format), request.solid};
+    asked.options.samples = samples_of(request, kSamples, kMostSolidSamples);
     expect_in_range(asked.options);
     return {fmt::format("export {}", name_of(asked.format)),
             Goal::kTerrain,
