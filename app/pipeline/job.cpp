@@ -19,16 +19,6 @@ fs::path output_of(const Request& request, const config::SceneSpec& spec) {
     return request.output.empty() ? fs::path("out") / spec.name : request.output;
 }
 
-// So that with the quality's share of it they are as large as asked for.
-void resize(std::vector<render::CameraOptions>& cameras, const Request& request) {
-    if (!request.size) return;
-    const double thirds = 1.0 + static_cast<int>(request.quality);
-    for (render::CameraOptions& camera : cameras)
-        for (std::size_t i = 0; i < 2; ++i)
-            camera.size[i] =
-                static_cast<int>(std::lround((*request.size)[i] * 3.0 / thirds));
-}
-
 // A look makes frames only; the page shows what was made of the land before, too.
 std::vector<Step> with_what_else_there_is(Job& job, std::vector<Step> steps) {
     steps.push_back(export_step(job));
@@ -51,6 +41,13 @@ Job::Job(const Request& asked, Progress& sink)
       progress(sink),
       program(open_source("/proc/self/exe").hash) {}
 
+void Job::resize(render::CameraOptions& camera) const {
+    if (!request.size) return;
+    const double thirds = 1.0 + static_cast<int>(request.quality);
+    for (std::size_t i = 0; i < 2; ++i)
+        camera.size[i] = static_cast<int>(std::lround((*request.size)[i] * 3.0 / thirds));
+}
+
 Land Job::land_of(const config::SceneSpec& then, Progress& sink) const {
     // A look in a second is at no finer land than a draft.
     return {then, request.preview ? render::Quality::kDraft : request.quality,
@@ -59,7 +56,7 @@ Land Job::land_of(const config::SceneSpec& then, Progress& sink) const {
 
 config::SceneSpec Job::at(double frame) const {
     config::SceneSpec then = scene.at(frame);
-    resize(then.render.cameras, request);
+    for (render::CameraOptions& camera : then.render.cameras) resize(camera);
     return then;
 }
 
@@ -67,7 +64,7 @@ std::vector<render::CameraOptions> Job::cameras() const {
     std::vector<render::CameraOptions> all = spec.render.cameras;
     if (all.empty()) {
         all = render::default_cameras();
-        resize(all, request);
+        for (render::CameraOptions& camera : all) resize(camera);
     }
     if (request.first_camera_only) all.resize(1);
     return all;

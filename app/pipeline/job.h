@@ -43,6 +43,8 @@ struct Job {
         return factor * factor * cells();
     }
     std::vector<render::CameraOptions> cameras() const;  // asked for; at least one
+    // So that with the quality's share of it its frame is as large as asked for.
+    void resize(render::CameraOptions& camera) const;
     // The scene at a frame, as it was asked for.
     config::SceneSpec at(double frame) const;
     // Its land, which refers to it.

@@ -41,6 +41,16 @@ struct Plan {
     bool appears = true;  // the first image of a day
 };
 
+// A turntable's camera may be none of the scene's.
+Sequence sized(Sequence sequence, const Job& job) {
+    for (Shot& shot : sequence.shots) {
+        job.resize(shot.camera);
+        job.resize(*shot.next);
+        for (render::CameraOptions& moment : shot.moments) job.resize(moment);
+    }
+    return sequence;
+}
+
 // A day follows the suns of images, which stages choose: its land is made first.
 Plan plan_of(Kind kind, Job& job) {
     switch (kind) {
@@ -51,7 +61,7 @@ Plan plan_of(Kind kind, Job& job) {
             return {std::move(day.sequence), std::move(day.news), day.appears};
         }
         case Kind::kTurntable:
-            return {turntable(job.spec.frames, job.cameras())};
+            return {sized(turntable(job.spec.frames, job.cameras()), job)};
         case Kind::kFilm:
             break;
     }
