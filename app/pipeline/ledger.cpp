@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/pipeline/cache.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -18,12 +19,14 @@ constexpr const char* kFile = ".cache/steps.json";
 Json json_of(const Entry& entry) {
     return {{"key", entry.key},         {"outputs", entry.outputs},
             {"sizes", entry.sizes},     {"result", entry.result},
-            {"seconds", entry.seconds}, {"peak_memory", entry.peak_memory}};
+            {"seconds", entry.seconds}, {"peak_memory", entry.peak_memory},
+            {"hashes", entry.hashes},   {"written", entry.written}};
 }
 
 Entry entry_of(const Json& json) {
     return {json.at("key"),    json.at("outputs"), json.at("sizes"),
-            json.at("result"), json.at("seconds"), json.at("peak_memory")};
+            json.at("result"), json.at("seconds"), json.at("peak_memory"),
+            json.at("hashes"), json.at("written")};
 }
 
 // Outputs are plain names below the folder; anything else is not ours to touch.
@@ -36,10 +39,22 @@ bool has_size(const fs::path& file, std::uint64_t size) {
     return fs::is_regular_file(file, none) && fs::file_size(file, none) == size;
 }
 
+std::int64_t time_written(const fs::path& file) {
+    std::error_code none;
+    return fs::last_write_time(file, none).time_since_epoch().count();
+}
+
 bool intact(const fs::path& folder, const Entry& entry) {
-    if (entry.outputs.size() != entry.sizes.size()) return false;
-    for (std::size_t i = 0; i < entry.outputs.size(); ++i) {
-        if (!has_size(folder / entry.outputs[i], entry.sizes[i])) return false;
+    const std::size_t count = entry.outputs.size();
+    if (entry.sizes.size() != count || entry.hashes.size() != count ||
+        entry.written.size() != count)
+        return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const fs::path file = folder / entry.outputs[i];
+        if (!has_size(file, entry.sizes[i])) return false;
+        if (time_written(file) != entry.written[i] &&
+            hash_of_file(file) != entry.hashes[i])
+            return false;
     }
     return true;
 }
@@ -70,11 +85,16 @@ std::vector<std::string> Ledger::outputs_of(const std::string& step) const {
 }
 
 const Entry& Ledger::record(const std::string& step, Entry entry) {
-    const std::scoped_lock lock(*mutex_);
     entry.sizes.clear();
+    entry.hashes.clear();
+    entry.written.clear();
     for (const std::string& output : entry.outputs) {
-        entry.sizes.push_back(fs::file_size(folder_ / output));
+        const fs::path file = folder_ / output;
+        entry.written.push_back(time_written(file));
+        entry.sizes.push_back(fs::file_size(file));
+        entry.hashes.push_back(hash_of_file(file));
     }
+    const std::scoped_lock lock(*mutex_);
     for (const std::string& old : entries_[step].outputs) {
         std::error_code none;
         if (inside(old) && std::ranges::find(entry.outputs, old) == entry.outputs.end()) {

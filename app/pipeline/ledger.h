@@ -20,7 +20,9 @@ struct Entry {
     std::vector<std::uint64_t> sizes;  // of the outputs, bytes
     Json result = Json::object();      // what the step learned
     double seconds = 0.0;
-    std::uint64_t peak_memory = 0;  // bytes
+    std::uint64_t peak_memory = 0;           // bytes
+    std::vector<std::uint64_t> hashes = {};  // of the outputs' bytes
+    std::vector<std::int64_t> written = {};  // when they were, as the file system counts
 };
 
 // Which steps are finished in an output folder, kept in its .cache so that an interrupted
@@ -32,7 +34,7 @@ class Ledger {
     explicit Ledger(const std::filesystem::path& output_folder);
 
     // The step's entry if it was made from the same inputs and all its files are still
-    // there.
+    // there, whole: one that was written since is read again.
     const Entry* finished(const std::string& step, std::uint64_t key) const;
 
     // The files that the step made when it last ran.

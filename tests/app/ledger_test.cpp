@@ -49,6 +49,17 @@ TEST(Ledger, MissingOrCutOutputIsNotFinished) {
     EXPECT_FALSE(Ledger(made.folder.path()).finished("a", 7));
 }
 
+TEST(Ledger, DamagedOutputOfTheSameSizeIsNotFinished) {
+    const FinishedStep made;
+    const auto later =
+        fs::last_write_time(made.folder / "one.png") + std::chrono::seconds(2);
+    fs::last_write_time(made.folder / "one.png", later);
+    EXPECT_TRUE(Ledger(made.folder.path()).finished("a", 7)) << "copied, not changed";
+    made.folder.write("one.png", "12x45");
+    fs::last_write_time(made.folder / "one.png", later);
+    EXPECT_FALSE(Ledger(made.folder.path()).finished("a", 7));
+}
+
 TEST(Ledger, DamagedFileIsAnEmptyLedger) {
     const FinishedStep made;
     for (const char* text : {"", "{", "[]", "{\"a\": 1}", "{\"a\": {\"key\": \"x\"}}"}) {
