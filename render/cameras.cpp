@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "render/camera_checks.h"
 #include "render/camera_path.h"
@@ -138,10 +139,24 @@ Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
         farthest(whole, [&](double d) { return !near_edge_shows(aimed(d), t); }));
 }
 
-Camera orbit(const Camera& c, const CameraOptions& o, const Terrain& t) {
+// Whether the circle around the land is in the frame: from whichever side it is seen, so
+// is the land.
+bool circle_fits(const Camera& c, const Terrain& t) {
+    constexpr int kPoints = 32;
     const double radius = 0.5 * std::hypot(t.width(), t.depth());
-    const double whole = radius / std::sin(0.5 * c.field_of_view);
-    return around(c, o, t, o.distance ? o.distance->in(t.width()) : whole);
+    for (int i = 0; i < kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kPoints;
+        if (!in_frame(c, centre(t) + radius * direction_to({angle, 0.0}))) return false;
+    }
+    return true;
+}
+
+Camera orbit(const Camera& c, const CameraOptions& o, const Terrain& t) {
+    if (o.distance) return around(c, o, t, o.distance->in(t.width()));
+    const double radius = 0.5 * std::hypot(t.width(), t.depth());
+    double whole = radius / std::sin(0.5 * c.field_of_view);
+    while (!circle_fits(around(c, o, t, whole), t)) whole *= 1.02;
+    return around(c, o, t, whole);
 }
 
 Vec3 above_ground(const std::array<Length, 3>& p, const Terrain& t) {
