@@ -234,10 +234,11 @@ class Filling {
                     image.window = flags_of(job_.folder / window, report_.heights, false);
             }
             for (const auto& [file, label, most] :
-                 {std::tuple{"sun-clock.png", "twelve suns of one day", kFramePixels},
-                  {"overlay.png", "shadow and image over one another", kPicturePixels},
+                 {std::tuple{"overlay.png", "shadow and image over one another",
+                             kPicturePixels},
                   {"cast.png", "the shadow", kMaskPixels},
-                  {"target.png", "the image", kMaskPixels}})
+                  {"target.png", "the image", kMaskPixels},
+                  {"sun-clock.png", "twelve suns of one day", kFramePixels}})
                 image.pictures.push_back(picture(folder + file, label, most));
             report_.images.push_back(std::move(image));
         }

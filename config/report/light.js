@@ -129,12 +129,13 @@ class Land {
   // What each sample sees of the sky (a few suns stand for it), and the ground's colour:
   // pale stone, greyer where it is steep; water darker. Both linear.
   prepareColours() {
-    const { width, height, heights } = this;
-    const seen = new Float32Array(heights.length), open = new Float32Array(heights.length);
+    const { width, height } = this;
+    const open = new Float32Array(this.heights.length);
+    const seen = new Float32Array(open.length);
     for (const elevation of [12, 35])
-      for (let azimuth = 22.5; azimuth < 360; azimuth += 60) {
-        castShadows(heights, width, height, this.spacing, azimuth, elevation, seen);
-        for (let i = 0; i < open.length; ++i) open[i] += seen[i] / 12;
+      for (let azimuth = 30; azimuth < 360; azimuth += 90) {
+        castShadows(this.heights, width, height, this.spacing, azimuth, elevation, seen);
+        for (let i = 0; i < open.length; ++i) open[i] += seen[i] / 8;
       }
     this.open = doubled(open, width, height).values;
     const wet = this.water ? doubled(this.water, width, height).values : null;

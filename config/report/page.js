@@ -22,9 +22,9 @@
     return { relight: () => context.putImageData(image, 0, 0) };
   };
 
-  const hasWebGL = () => {
-    const probe = document.createElement("canvas");
-    return Boolean(window.WebGLRenderingContext && (probe.getContext("webgl2") || probe.getContext("webgl")));
+  const contextOf = (canvas) => {
+    const options = { antialias: true, alpha: true };
+    return canvas.getContext("webgl2", options) || canvas.getContext("webgl", options);
   };
 
   const makeView = () => {
@@ -32,17 +32,10 @@
       say("Shown from above only: three.js (package libjs-three) was not installed when this page was made.");
       return flatView();
     }
-    if (!hasWebGL()) {
-      say("Shown from above only: this browser has no WebGL.");
-      return flatView();
-    }
-    try {
-      return new View($("view"), land);
-    } catch (error) {
-      say("Shown from above only: this browser's WebGL does not start.");
-      $("view").replaceWith($("view").cloneNode());
-      return flatView();
-    }
+    const context = contextOf($("view"));
+    if (context) return new View($("view"), context, land, turned);
+    say("Shown from above only: this browser has no WebGL.");
+    return flatView();
   };
 
   const compass = ["north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"];
@@ -54,15 +47,29 @@
     elevation: +element.dataset.elevation,
   }));
 
+  // The dial lies as the land is seen: what is away from the camera is up.
+  let heading = 0;
+  const onDial = (azimuth, radius) => {
+    const angle = (azimuth - heading) * kRadians;
+    return [radius * Math.sin(angle), -radius * Math.cos(angle)];
+  };
+  const placeOnDial = (element, names, azimuth, radius) => {
+    onDial(azimuth, radius).forEach((value, i) => element.setAttribute(names[i], value.toFixed(2)));
+  };
+  const drawDial = () => {
+    placeOnDial($("sun"), ["cx", "cy"], sun.azimuth, 90 - sun.elevation);
+    placeOnDial($("ray"), ["x2", "y2"], sun.azimuth, 90 - sun.elevation);
+    document.querySelectorAll("#dial text").forEach((text, i) => placeOnDial(text, ["x", "y"], 90 * i, 101));
+    $("rose").setAttribute("transform", `rotate(${-heading})`);
+  };
+  const turned = (azimuth) => { heading = (azimuth + 180) % 360; drawDial(); };
+
   const view = makeView();
 
   const show = () => {
     land.light(sun.azimuth, sun.elevation);
     view.relight(sun);
-    const radius = 90 - sun.elevation;
-    const x = radius * Math.sin(sun.azimuth * kRadians), y = -radius * Math.cos(sun.azimuth * kRadians);
-    $("sun").setAttribute("cx", x); $("sun").setAttribute("cy", y);
-    $("ray").setAttribute("x2", x); $("ray").setAttribute("y2", y);
+    drawDial();
     $("azimuth").value = sun.azimuth; $("elevation").value = sun.elevation;
     $("azimuth-says").value = `${sun.azimuth.toFixed(0)}° ${compass[Math.round(sun.azimuth / 45) % 8]}`;
     $("elevation-says").value = `${sun.elevation.toFixed(0)}°`;
@@ -105,22 +112,23 @@
   const putByDial = (event) => {
     const box = dial.getBoundingClientRect();
     const x = (event.clientX - box.left) / box.width * 224 - 112, y = (event.clientY - box.top) / box.height * 224 - 112;
-    putByHand(Math.atan2(x, -y) / kRadians, 90 - Math.hypot(x, y));
+    putByHand(heading + Math.atan2(x, -y) / kRadians, 90 - Math.hypot(x, y));
   };
   dial.addEventListener("pointerdown", (event) => { dial.setPointerCapture(event.pointerId); putByDial(event); });
   dial.addEventListener("pointermove", (event) => { if (dial.hasPointerCapture(event.pointerId)) putByDial(event); });
 
   for (const match of matches)
     match.element.querySelector("button").addEventListener("click", () => {
-      if (view.look) view.look(180, 89.9, 4.6);
+      if (view.look) view.look(180, 89.9);
       glideTo(match.azimuth, match.elevation);
     });
-  $("above").addEventListener("click", () => view.look(180, 89.9, 4.6));
-  $("aside").addEventListener("click", () => view.look(200, 22, 4.6));
+  $("above").addEventListener("click", () => view.look(180, 89.9));
+  $("aside").addEventListener("click", () => view.look(sun.azimuth + 115, 24));
 
-  // Near the image's sun, and far enough that it does not show.
-  if (matches.length) put(+section.dataset.azimuth + 75, +section.dataset.elevation + 14);
-  else put(+section.dataset.azimuth, +section.dataset.elevation);
+  // Not far from the image's sun, but so that it does not show; the camera looks across.
+  const away = matches.length ? [75, 14] : [0, 0];
+  put(+section.dataset.azimuth + away[0], +section.dataset.elevation + away[1]);
+  if (view.turn) view.turn.azimuth = (sun.azimuth + 115) % 360;
   requestAnimationFrame(() => requestAnimationFrame(() => {
     document.documentElement.dataset.ready = Math.round(performance.now());
   }));

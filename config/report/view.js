@@ -1,9 +1,11 @@
 // The land as a block to turn, drawn by three.js. East is x, north y, up z; the block is two
 // units long and stands on z = 0.
 class View {
-  constructor(canvas, land) {
+  // `turned` is called when the camera has gone round.
+  constructor(canvas, context, land, turned) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.turned = turned;
+    this.renderer = new THREE.WebGLRenderer({ canvas, context });
     this.camera = new THREE.PerspectiveCamera(26, 1, 0.1, 40);
     this.camera.up.set(0, 0, 1);
     this.scene = new THREE.Scene();
@@ -19,10 +21,9 @@ class View {
     this.scene.add(this.sides);
 
     this.target = new THREE.Vector3(0, 0, 0.35 * scale * (land.high - land.low) + kPlate);
-    this.turn = { azimuth: 200, elevation: 38, distance: 5 };
+    this.turn = { azimuth: 180, elevation: 38, distance: 5 };
     this.listen();
     new ResizeObserver(() => this.resize()).observe(canvas);
-    this.resize();
   }
 
   resize() {
@@ -44,8 +45,8 @@ class View {
     for (let i = 0; i < colours.count; ++i) {
       const way = ways[Math.floor(i / (colours.count / 4))];
       const facing = Math.max(0, Math.cos((sun.azimuth - way) * kRadians)) * flat;
-      const shade = 0.16 + 0.34 * facing / (0.35 + rise);
-      colours.setXYZ(i, 1.04 * shade, shade, 0.95 * shade);
+      const shade = 0.30 + 0.36 * facing / (0.35 + rise);
+      colours.setXYZ(i, 1.04 * shade, shade, 0.94 * shade);
     }
     colours.needsUpdate = true;
     this.draw();
@@ -64,6 +65,7 @@ class View {
     this.camera.position.set(Math.sin(azimuth * kRadians) * flat, Math.cos(azimuth * kRadians) * flat,
       Math.sin(elevation * kRadians) * distance * narrow).add(this.target);
     this.camera.lookAt(this.target);
+    this.turned(azimuth);
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -75,7 +77,8 @@ class View {
     this.draw();
   }
 
-  look(azimuth, elevation, distance) {
+  look(azimuth, elevation, distance = 4.8) {
+    this.canvas.parentElement.classList.add("touched");
     this.turn = { azimuth, elevation, distance };
     this.draw();
   }

@@ -92,6 +92,7 @@ Values values_of(const ReportPicture& picture) {
              {"file", link_to(picture.file)},
              {"width", std::to_string(picture.width)},
              {"height", std::to_string(picture.height)},
+             {"ratio", fmt::format("{:.4f}", double(picture.width) / picture.height)},
              {"data", "data:image/jpeg;base64," + base64(picture.jpeg)}}};
 }
 
@@ -168,9 +169,7 @@ std::string report_page(const Report& report) {
                       {"theme", for_script_element(data_text("theme.js"))}}};
     auto& lists = values.lists;
     lists["facts"] = values_of(report.facts);
-    if (!report.frames.empty()) lists["hero"] = {values_of(report.frames.front())};
-    for (std::size_t i = 1; i < report.frames.size(); ++i)
-        lists["frames"].push_back(values_of(report.frames[i]));
+    lists["frames"] = values_of(report.frames);
     lists["videos"] = values_of(report.videos);
     lists["images"] = values_of(report.images);
     lists["relief"] = values_of(report.relief);
@@ -178,7 +177,7 @@ std::string report_page(const Report& report) {
     lists["stages"] = values_of(report.stages, longest);
     lists["steps"] = values_of(report.other_steps, longest);
     lists["figures"] = values_of(report.figures);
-    for (const char* part : {"stages", "steps", "figures", "relief", "images"})
+    for (const char* part : {"frames", "figures", "relief", "images"})
         if (!lists[part].empty()) values.texts[std::string("has_") + part] = "yes";
     if (!report.heights.empty()) {
         lists["land"] = {land_of(report)};
