@@ -273,6 +273,7 @@ class Filling {
             number =
                 plan->result.at("key_frame").get<std::string>().substr(sequence.size());
         render::ReportVideo video{name, file, {}, {}};
+        std::ranges::replace(video.label, '-', ' ');
         const std::string still = "frames/" + name + number + ".png";
         if (std::error_code none; fs::exists(job_.folder / still, none))
             video.poster = picture(still, name, kPicturePixels);

@@ -1,0 +1,62 @@
+// Looks at a report in headless Chromium and prints what it found as JSON:
+//   node report.js PAGE [FOLDER FOR SCREENSHOTS]
+"use strict";
+const { Browser } = require("./chromium.js");
+const path = require("path");
+
+const overlap = "document.querySelector('.match output')?.value ?? ''";
+
+// How the page behaves when its sun is moved and its image asked for.
+async function use(page) {
+  const seen = () => page.screenshot("/dev/null", "#view");
+  await page.drawn();
+  const first = await seen(), still = await seen();
+  await page.value("document.querySelector('.match') && document.querySelector('.match').scrollIntoView()");
+  const before = await page.value(overlap);
+  await page.value("(() => { const s = document.getElementById('azimuth'); s.value = (+s.value + 120) % 360; s.dispatchEvent(new Event('input')); })()");
+  await page.drawn();
+  const moved = await seen();
+  await page.value("document.querySelector('.match button')?.click()");
+  const calm = await page.value("matchMedia('(prefers-reduced-motion: reduce)').matches");
+  await new Promise((done) => setTimeout(done, calm ? 100 : 2500));
+  await page.drawn();
+  return {
+    steady: first === still, moves: first !== moved, before, found: await page.value(overlap),
+    says: await page.value("document.getElementById('degraded').textContent"),
+  };
+}
+
+(async () => {
+  const [file, folder] = process.argv.slice(2);
+  const shot = (page, name, selector) => folder ? page.screenshot(path.join(folder, name + ".png"), selector) : null;
+  const told = {};
+  let browser = new Browser();
+  try {
+    let page = await browser.open(file);
+    told.title = await page.value("document.title");
+    told.ready = +await page.value("document.documentElement.dataset.ready");
+    await shot(page, "light", "html");
+    told.webgl = await use(page);
+    await shot(page, "found", "#land");
+    told.errors = page.errors;
+    told.requests = page.requests;
+    page = await browser.open(file, { scheme: "dark" });
+    await shot(page, "dark", "html");
+    told.dark = await page.value("getComputedStyle(document.body).backgroundColor");
+    await page.value("document.getElementById('theme').click()");
+    told.switched = await page.value("getComputedStyle(document.body).backgroundColor");
+    page = await browser.open(file, { width: 390, height: 844, scale: 2, mobile: true });
+    told.phone = await page.value("document.documentElement.scrollWidth");
+    await shot(page, "phone", "html");
+    browser.close();
+
+    browser = new Browser(["--disable-3d-apis"]);
+    page = await browser.open(file);
+    told.flat = await use(page);
+    told.flat.errors = page.errors;
+    await shot(page, "flat", "#land");
+  } finally {
+    browser.close();
+  }
+  console.log(JSON.stringify(told, null, 1));
+})().catch((error) => { console.error(error); process.exit(1); });

@@ -1,0 +1,105 @@
+// report.html as a browser shows it: headless Chromium, driven by report.js through node.
+#include <gtest/gtest.h>
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+#include "tests/app/scenes.h"
+
+namespace fs = std::filesystem;
+using namespace cydonia::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct ReportFile : testing::Test {
+    TemporaryFolder folder;
+    const fs::path out = folder / "out/land";
+    ReportFile() {
+        folder.write("land.toml", kShadowScene);
+        folder.write("bar.svg", kBar);
+    }
+
+    Outcome report(std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), {"report", "land.toml", "--quality", "draft"});
+        return run({folder.path()}, more);
+    }
+    bool is_made(const Outcome& outcome) const {
+        return outcome.err.find("report  ") != std::string::npos;
+    }
+    std::string page() const {
+        std::ifstream in(out / "report.html");
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+};
+
+bool installed(const char* program) {
+    return std::system(fmt::format("command -v {} >/dev/null", program).c_str()) == 0;
+}
+
+std::string output_of(const std::string& command) {
+    std::string text;
+    FILE* pipe = popen(command.c_str(), "r");
+    for (int c = 0; pipe && (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
+    if (pipe) pclose(pipe);
+    return text;
+}
+
+}  // namespace
+
+TEST_F(ReportFile, IsMadeOnceAndAgainWhenWhatItShowsHasChanged) {
+    ASSERT_EQ(report({"--force"}).code, 0);
+    std::ifstream in(out / "manifest.json");
+    const Json manifest = Json::parse(in);
+    EXPECT_EQ(manifest.at("outputs").back().at("file"), "report.html");
+    EXPECT_NE(page().find("twelve suns"), std::string::npos);
+    EXPECT_FALSE(fs::exists(out / "frames"));
+    EXPECT_FALSE(fs::exists(out / "pov"));
+
+    EXPECT_FALSE(is_made(report({"--force"})));
+    EXPECT_TRUE(is_made(report({"--force", "--set", "seed=8"})));
+    EXPECT_TRUE(is_made(report({"--force", "--set", "seed=8", "--set", "title=Other"})));
+    EXPECT_NE(page().find("<h1>Other</h1>"), std::string::npos);
+    fs::remove(out / "report.html");
+    EXPECT_TRUE(is_made(report({"--force", "--set", "seed=8", "--set", "title=Other"})));
+    EXPECT_EQ(temporary_files(folder.path()), std::vector<std::string>{});
+}
+
+TEST_F(ReportFile, IsThereWhenTheCheckFallsShort) {
+    const Outcome outcome = report({"--set", "terrain.stage[0].image[0].min_iou=1.0"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(page().find("falls short"), std::string::npos);
+}
+
+TEST_F(ReportFile, OpensInChromium) {
+    for (const char* program : {"chromium", "node"})
+        if (!installed(program)) GTEST_SKIP() << program << " is not installed";
+    const std::string title = "</script><script>throw 1</script>";
+    ASSERT_EQ(report({"--force", "--set", "title=\"" + title + "\""}).code, 0);
+    const char* shots = std::getenv("CYDONIA_SCREENSHOTS");  // to look at
+    const Json told = Json::parse(output_of(
+        fmt::format("node '{}/tests/e2e/report.js' '{}' '{}'", CYDONIA_SOURCE_DIR,
+                    (out / "report.html").string(), shots ? shots : "")));
+
+    EXPECT_EQ(told.at("title"), title);
+    EXPECT_EQ(told.at("errors"), Json::array());
+    EXPECT_EQ(told.at("requests"), Json::array());
+    EXPECT_EQ(told.at("phone"), 390);  // nothing to scroll sideways
+    EXPECT_NE(told.at("dark"), told.at("switched"));
+    EXPECT_EQ(told.at("flat").at("errors"), Json::array());
+    EXPECT_EQ(told.at("webgl").at("says"), "");
+    EXPECT_NE(told.at("flat").at("says"), "");
+    for (const char* way : {"webgl", "flat"}) {
+        const Json& used = told.at(way);
+        EXPECT_EQ(used.at("steady"), true) << way;
+        EXPECT_EQ(used.at("moves"), true) << way;
+        // Near the image's sun the image is not to be seen; under it, it is.
+        EXPECT_LT(std::stoi(used.at("before").get<std::string>()), 50) << used;
+        EXPECT_GT(std::stoi(used.at("found").get<std::string>()), 80) << used;
+    }
+}
