@@ -29,12 +29,19 @@ struct Finished {
 };
 using All = std::vector<Finished>;
 
+// Of a sequence, whose keys take time to tell: most scenes have none.
+bool never_filmed(const Step& step, const std::vector<Step>& steps,
+                  const Ledger& ledger) {
+    if (step.goal <= Goal::kFrames) return false;
+    return std::ranges::none_of(steps, [&](const Step& other) {
+        return other.goal == step.goal && !ledger.outputs_of(other.name).empty();
+    });
+}
+
 All finished_of(const std::vector<Step>& steps, const Job& job) {
     All all;
     for (const Step& step : steps) {
-        // Keys of sequences take time, and most scenes have none.
-        if (step.goal > Goal::kFrames && job.ledger.outputs_of(step.name).empty())
-            continue;
+        if (never_filmed(step, steps, job.ledger)) continue;
         if (const Entry* entry = job.ledger.finished(step.name, step.key()))
             all.push_back({step.name, *entry});
     }

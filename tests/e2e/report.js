@@ -28,7 +28,11 @@ async function use(page) {
 
 (async () => {
   const [file, folder] = process.argv.slice(2);
-  const shot = (page, name, selector) => folder ? page.screenshot(path.join(folder, name + ".png"), selector) : null;
+  const shot = async (page, name, selector) => {
+    if (!folder) return;
+    await page.value("Promise.all([...document.images].map(i => { i.loading = 'eager'; return i.decode(); }))");
+    await page.screenshot(path.join(folder, name + ".png"), selector);
+  };
   const told = {};
   let browser = new Browser();
   try {
