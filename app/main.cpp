@@ -36,8 +36,10 @@ void add_commands(CLI::App& app, Action& action) {
     add_report(app, action);
     add_emit(app, action);
     add_export(app, action);
+    add_reproduce(app, action);
     add_gallery(app, action);
     add_validate(app, action);
+    add_schema(app, action);
     add_info(app, action);
 }
 

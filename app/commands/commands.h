@@ -28,6 +28,8 @@ void add_validate(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_reproduce(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
 
 struct Help {
     std::string name;

@@ -1,30 +1,13 @@
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <memory>
 
 #include "app/commands/commands.h"
 #include "app/pipeline/pipeline.h"
 
 namespace cydonia {
-namespace {
 
-const std::map<std::string, ExportFormat>& formats() {
-    static const std::map<std::string, ExportFormat> formats = [] {
-        std::map<std::string, ExportFormat> all;
-        const auto add = [&](const ExportFormat& f) { all[std::string(name_of(f))] = f; };
-        for (const MeshFormat f : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly})
-            add(f);
-        add(GltfFormat{});
-        for (const HeightFormat f :
-             {HeightFormat::kTer, HeightFormat::kTif, HeightFormat::kPng16,
-              HeightFormat::kRaw16, HeightFormat::kRaw32, HeightFormat::kExr,
-              HeightFormat::kXyz})
-            add(f);
-        return all;
-    }();
-    return formats;
-}
+namespace {
 
 // All else is in metres.
 void check_solid(const CLI::App& command, const ExportRequest& asked) {
@@ -48,9 +31,11 @@ void add_export(CLI::App& app, Action& action) {
     command
         ->add_option_function<std::string>(
             "--to",
-            [&asked](const std::string& name) { asked.format = formats().at(name); },
+            [&asked](const std::string& name) {
+                asked.format = export_formats().at(name);
+            },
             "[stl] obj ply glb ter tif png16 raw16 raw32 exr xyz")
-        ->check(CLI::IsMember(formats()).description(""))
+        ->check(CLI::IsMember(export_formats()).description(""))
         ->type_name("NAME");
     const auto add_number = [&](const char* name, auto& value, const char* type,
                                 const char* description) {
@@ -63,8 +48,7 @@ void add_export(CLI::App& app, Action& action) {
     add_number("--samples", asked.samples, "N",
                "at most, on the longer side [512; heights: all]");
     add_making_options(*command, *request);
-    for (const char* of_frames : {"--quality", "--force"})
-        command->remove_option(command->get_option(of_frames));
+    command->remove_option(command->get_option("--force"));
     command->callback([request, command, &action] {
         check_solid(*command, *request->export_as);
         action = [request] {

@@ -12,6 +12,23 @@ std::string_view name_of(const ExportFormat& format) {
     return "glb";
 }
 
+const std::map<std::string, ExportFormat>& export_formats() {
+    static const std::map<std::string, ExportFormat> formats = [] {
+        std::map<std::string, ExportFormat> all;
+        const auto add = [&](const ExportFormat& f) { all[std::string(name_of(f))] = f; };
+        for (const MeshFormat f : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kPly})
+            add(f);
+        add(GltfFormat{});
+        for (const HeightFormat f :
+             {HeightFormat::kTer, HeightFormat::kTif, HeightFormat::kPng16,
+              HeightFormat::kRaw16, HeightFormat::kRaw32, HeightFormat::kExr,
+              HeightFormat::kXyz})
+            add(f);
+        return all;
+    }();
+    return formats;
+}
+
 Step export_file_step(Job& job) {
     const ExportFormat& format = job.request.export_as->format;
     if (std::holds_alternative<MeshFormat>(format)) return solid_step(job);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -21,5 +23,6 @@ struct ExportRequest {
 
 // "png16", as the command line names it.
 std::string_view name_of(const ExportFormat& format);
+const std::map<std::string, ExportFormat>& export_formats();
 
 }  // namespace cydonia

@@ -5,27 +5,34 @@
 namespace cydonia {
 namespace {
 
-Json json_of(const Source& source) {
-    return {{"file", source.name()}, {"bytes", source.size}, {"xxh3", hex(source.hash)}};
+// Relative to the output folder, so that both can be moved together.
+std::string path_to(const std::filesystem::path& file, const Job& job) {
+    return std::filesystem::proximate(file, std::filesystem::absolute(job.folder))
+        .generic_string();
+}
+
+Json json_of(const Source& source, const Job& job) {
+    return {{"file", source.name()},
+            {"path", path_to(source.path, job)},
+            {"bytes", source.size},
+            {"xxh3", hex(source.hash)}};
 }
 
 Json inputs_of(const Job& job) {
-    Json inputs = {{"scene", json_of(job.scene_file)},
+    Json inputs = {{"scene", json_of(job.scene_file, job)},
                    {"set", job.request.overrides},
                    {"files", Json::array()}};
-    for (const config::StageSpec& stage : job.spec.stages) {
-        for (const Source& source : stage.sources) {
-            inputs["files"].push_back(json_of(source));
-        }
-    }
-    if (job.spec.render.colour.config) {
-        inputs["files"].push_back(json_of(*job.spec.render.colour.config));
-    }
+    const auto add = [&](const Source& source) {
+        inputs["files"].push_back(json_of(source, job));
+    };
+    for (const config::StageSpec& stage : job.spec.stages)
+        std::ranges::for_each(stage.sources, add);
+    if (job.spec.render.colour.config) add(*job.spec.render.colour.config);
     return inputs;
 }
 
 Json versions_of(const Job& job) {
-    Json versions = {{"cydonia", kVersion}};
+    Json versions = {{"cydonia", kVersion}, {"program", hex(job.program)}};
     for (const config::StageSpec& stage : job.spec.stages) {
         const Method method = method_of(stage.options);
         versions[std::string(method.name)] = method.version;
@@ -33,24 +40,127 @@ Json versions_of(const Job& job) {
     return versions;
 }
 
+Json json_of(const ExportRequest& asked) {
+    Json json = {{"to", name_of(asked.format)},
+                 {"size", asked.solid.size},
+                 {"base", asked.solid.base},
+                 {"scale_z", asked.solid.scale_z}};
+    if (asked.samples) json["samples"] = *asked.samples;
+    return json;
+}
+
+// The finished steps as they are now. A step is made from what the stills' steps before
+// it wrote: after one that is to be done again, they do not count, nor does a film.
+std::vector<const Step*> finished_steps(const std::vector<Step>& steps, const Job& job) {
+    std::vector<const Step*> finished;
+    bool emitted = true;
+    for (const Step& step : steps) {
+        const bool is_one = job.ledger.finished(step.name, step.key()) != nullptr;
+        if (step.goal <= Goal::kEmit && step.goal != Goal::kReport) emitted &= is_one;
+        if (is_one && (emitted || step.goal <= Goal::kReport)) finished.push_back(&step);
+    }
+    return finished;
+}
+
+// The farthest of the stills' goals, which includes those before it, and every film.
+Json goals_of(const std::vector<Step>& steps, const std::vector<const Step*>& finished) {
+    Json goals = Json::array();
+    std::string_view still;
+    for (const Goal goal : {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames,
+                            Goal::kSweep, Goal::kTurntable, Goal::kFilm}) {
+        const auto of_goal = [goal](const Step& step) { return step.goal == goal; };
+        if (std::ranges::none_of(steps, of_goal) ||
+            !std::ranges::all_of(steps, [&](const Step& step) {
+                return !of_goal(step) ||
+                       std::ranges::find(finished, &step) != finished.end();
+            }))
+            continue;
+        if (goal <= Goal::kFrames)
+            still = name_of(goal);
+        else
+            goals.push_back(name_of(goal));
+    }
+    if (!still.empty()) goals.insert(goals.begin(), still);
+    return goals;
+}
+
+Json command_of(const Json& goals, const Job& job) {
+    const Request& request = job.request;
+    Json command = {{"goals", goals},
+                    {"quality", name_of(request.quality)},
+                    {"set", request.overrides},
+                    {"threads", request.threads}};
+    if (request.size) command["size"] = *request.size;
+    if (request.preview) command["style"] = name_of(*request.preview);
+    if (request.explain) command["explain"] = true;
+    if (request.first_camera_only) command["first_camera_only"] = true;
+    if (request.export_as) command["export"] = json_of(*request.export_as);
+    return command;
+}
+
+Json land_of(const Job& job) {
+    const Land& land = job.land;
+    return {{"samples", {land.width(), land.height()}},
+            {"spacing", land.spacing()},
+            {"extent", {land.spacing() * land.width(), land.spacing() * land.height()}},
+            {"axes", {{"east", "x"}, {"north", "y"}, {"up", "z"}}},
+            {"origin", "the south-western corner of the extent, at height 0"},
+            {"rows", "from north to south"},
+            {"unit", "metre"},
+            {"drawn_factor", land.factor()}};
+}
+
+void add_outputs(Json& manifest, const Step& step, const Entry& entry) {
+    for (std::size_t i = 0; i < entry.outputs.size(); ++i)
+        manifest["outputs"].push_back({{"file", entry.outputs[i]},
+                                       {"step", step.name},
+                                       {"bytes", entry.sizes[i]},
+                                       {"xxh3", hex(entry.hashes[i])}});
+}
+
 }  // namespace
 
+std::string_view name_of(Goal goal) {
+    constexpr std::string_view kNames[] = {"synth",  "check", "report",    "emit",
+                                           "render", "sweep", "turntable", "film"};
+    return kNames[static_cast<int>(goal)];
+}
+
+Json options_of(const config::SceneSpec& spec) {
+    Json stages = Json::array();
+    for (const config::StageSpec& stage : spec.stages)
+        stages.push_back(
+            {{"method", method_of(stage.options).name}, {"text", stage.text}});
+    return {{"extent", {spec.terrain.width, spec.terrain.depth}},
+            {"samples", spec.terrain.samples},
+            {"tiles", spec.terrain.tiles},
+            {"stages", stages},
+            {"render", spec.render_text},
+            {"frames", spec.frames_text}};
+}
+
 Json manifest_of(const std::vector<Step>& steps, const Job& job) {
-    Json manifest = {
-        {"title", job.spec.title},      {"scene", job.spec.name},
-        {"seed", job.spec.seed},        {"quality", name_of(job.request.quality)},
-        {"versions", versions_of(job)}, {"inputs", inputs_of(job)},
-        {"figures", Json::object()},    {"outputs", Json::array()}};
-    Json timings = Json::object();
+    const auto finished = finished_steps(steps, job);
+    Json manifest = {{"manifest", kManifestVersion},
+                     {"title", job.spec.title},
+                     {"scene", job.spec.name},
+                     {"seed", job.spec.seed},
+                     {"quality", name_of(job.request.quality)},
+                     {"command", command_of(goals_of(steps, finished), job)},
+                     {"versions", versions_of(job)},
+                     {"inputs", inputs_of(job)},
+                     {"options", options_of(job.spec)},
+                     {"land", land_of(job)},
+                     {"figures", Json::object()},
+                     {"outputs", Json::array()}};
+    Json timings = {{"seconds", Json::object()}};
     std::uint64_t peak = 0;
-    for (const Step& step : steps) {
-        const Entry* entry = job.ledger.finished(step.name, step.key());
-        if (!entry) continue;
-        if (!entry->result.empty()) manifest["figures"][step.name] = entry->result;
-        for (const std::string& file : entry->outputs)
-            manifest["outputs"].push_back(file);
-        timings["seconds"][step.name] = entry->seconds;
-        peak = std::max(peak, entry->peak_memory);
+    for (const Step* step : finished) {
+        const Entry& entry = *job.ledger.finished(step->name, step->key());
+        if (!entry.result.empty()) manifest["figures"][step->name] = entry.result;
+        add_outputs(manifest, *step, entry);
+        timings["seconds"][step->name] = entry.seconds;
+        peak = std::max(peak, entry.peak_memory);
     }
     timings["peak_memory"] = peak;
     manifest["timings"] = timings;

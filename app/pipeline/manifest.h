@@ -6,9 +6,17 @@
 
 namespace cydonia {
 
-// What the output folder holds and how it came about: inputs and their hashes, seed,
-// versions, figures, suns, outputs, and timings. Of the same scene everything is equal
-// but "timings".
+inline constexpr int kManifestVersion = 1;  // of the file's form
+
+// What the output folder holds and how it came about, enough to make it again:
+// docs/manifest.md, config/schema/manifest.schema.json. Of the same scene everything is
+// equal but "timings".
 Json manifest_of(const std::vector<Step>& steps, const Job& job);
+
+// Every key of a scene in canonical form, files by their content.
+Json options_of(const config::SceneSpec& spec);
+
+// How the manifest calls a goal: by the command that reaches it.
+std::string_view name_of(Goal goal);
 
 }  // namespace cydonia

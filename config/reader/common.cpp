@@ -11,10 +11,15 @@ constexpr Name<NoiseOptions::Kind> kNoiseKinds[] = {
     {"ridged", NoiseOptions::Kind::kRidged},
 };
 
+constexpr double kHighest = 89.9;  // degrees
+
 }  // namespace
 
+std::string SunElevation::schema() const {
+    return Degrees{above_to(0.0, kHighest)}.schema();
+}
+
 double SunElevation::read(const Value& value, Files& files) const {
-    constexpr double kHighest = 89.9;
     const double elevation = Degrees{}.read(value, files);
     if (elevation <= 0.0)
         throw Wrong{

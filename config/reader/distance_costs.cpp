@@ -120,7 +120,7 @@ void read(Table& t, CostRule& cost, const Names& names, const Sign& sign) {
     read_curve(t, cost.curve);
     t.field("centre", cost.centre, LengthUnit{});
     t.field("azimuth", cost.azimuth, kAzimuth);
-    const Sign of_terms = cost.kind == Kind::kSum ? Sign::kAny : sign;
+    const Sign of_terms = cost.kind == Kind::kSum || t.describes() ? Sign::kAny : sign;
     t.tables("of", cost.of, kMostRules, names, of_terms);
     t.field("inverted", cost.inverted, Flag{});
     read_bounds(t, cost, names, sign);

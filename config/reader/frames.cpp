@@ -20,6 +20,9 @@ struct Day {
     std::string text(const Date& date) const {
         return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
     }
+    std::string schema() const {
+        return schema::text(10, "^[0-9]{4}-[0-9]{2}-[0-9]{2}$", "a day");
+    }
 };
 
 Date Day::read(const Value& value, Files&) const {
@@ -45,6 +48,7 @@ struct CameraName {
     std::string text(const std::string& name) const {
         return name.empty() ? "none" : name;
     }
+    std::string schema() const { return Word{}.schema(); }
 };
 
 std::string CameraName::read(const Value& value, Files& files) const {

@@ -55,6 +55,7 @@ struct ElevationUnit {
     std::string text(const Elevation& e) const {
         return fmt::format("{}{}", e.value, e.of_relief ? " of the relief" : " m");
     }
+    std::string schema() const { return LengthUnit{}.schema(); }
 };
 
 struct MaterialName {
@@ -63,6 +64,7 @@ struct MaterialName {
         return named_file(value, files, "materials", "material");
     }
     std::string text(const Source& source) const { return File{}.text(source); }
+    std::string schema() const { return File{}.schema(); }
 };
 
 using Pair = std::array<double, 2>;

@@ -25,6 +25,7 @@ struct LookName {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
     std::string text(const Source& source) const { return File{}.text(source); }
+    std::string schema() const { return File{}.schema(); }
 };
 
 void read(Table& t, render::Layer& layer, std::vector<Source>& materials);

@@ -22,6 +22,7 @@ struct GroupName {
     static constexpr bool kVaries = false;
     std::string read(const Value& value, Files& files) const;
     std::string text(const std::string& name) const { return name; }
+    std::string schema() const { return Word{}.schema(); }
 };
 
 // A profile of the stage or one that ships.
@@ -30,6 +31,7 @@ struct ProfileName {
     static constexpr bool kVaries = false;
     std::string read(const Value& value, Files& files) const;
     std::string text(const std::string& name) const { return name; }
+    std::string schema() const { return Word{}.schema(); }
 };
 
 // config/profiles/NAME.csv. Throws failure().

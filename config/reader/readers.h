@@ -52,6 +52,7 @@ struct SunElevation {
     static constexpr bool kVaries = true;
     double read(const Value& value, Files& files) const;
     std::string text(double radians) const { return Degrees{}.text(radians); }
+    std::string schema() const;
 };
 // One turn either way, so that a sun may pass through north: 350 to 370.
 constexpr Degrees kAzimuth{from(-360.0, 720.0)};

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <typeindex>
 #include <vector>
 
 #include "config/reader/mistakes.h"
@@ -21,6 +22,9 @@ struct Reading {
     bool checked = false;  // the document was read before, without a mistake
     std::vector<Mistake> mistakes = {};
     std::set<double> key_frames = {};  // every frame that some value has a key at
+    // Nothing is read: keys leave their schemas, and what is said of values is no matter.
+    bool describes = false;
+    std::vector<std::type_index> open_tables = {};  // that are being described
 };
 
 // Canonical text and files of a part of the document: what a cache key is made of.
@@ -148,6 +152,23 @@ bool read_value(Reading& reading, const Value& value, const std::string& path,
         return read_value(reading, value, path, out, unit.unit);
     out.assign(1, T{});
     return read_value(reading, value, path, out[0], unit.unit);
+}
+
+// schema_of: what read_value takes of a T.
+template <class T, class Unit>
+std::string schema_of(const Unit& unit) {
+    if constexpr (requires { unit.schema(); }) {
+        if constexpr (!Gives<Unit, T> && requires { schema::Elements<T>::kMost; }) {
+            using Elements = schema::Elements<T>;
+            return schema::array(schema_of<typename Elements::Type>(unit),
+                                 Elements::kLeast, Elements::kMost);
+        } else {
+            return Unit::kVaries ? schema::varying(unit.schema()) : unit.schema();
+        }
+    } else {
+        using One = typename schema::Elements<T>::Type;
+        return schema::any_of({schema_of<One>(unit.unit), schema_of<T>(unit.unit)});
+    }
 }
 
 // note: a value's line of canonical text, and the file behind it.

@@ -70,6 +70,19 @@ void throw_mistakes(std::vector<Mistake> mistakes, const Origins& origins) {
 
 }  // namespace
 
+std::string scene_schema() {
+    Files files("");
+    Reading reading{files};
+    reading.describes = true;
+    Table table(reading, nullptr, {});
+    SceneSpec scene;
+    read(table, scene);
+    std::string schema = table.schema();
+    schema.insert(1, R"("$schema":"http://json-schema.org/draft-07/schema#",)"
+                     R"("title":"A scene of Cydonia",)");
+    return schema;
+}
+
 Scene::Scene(std::unique_ptr<Document> document) : document_(std::move(document)) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;

@@ -58,6 +58,10 @@ struct SceneSpec {
     std::string frames_text;  // canonical form of [frames]
 };
 
+// What a scene file may hold, as JSON Schema (draft 7) for editors: every key that the
+// readers name, with its kind and range. What holds between keys is left to them.
+std::string scene_schema();
+
 // A parsed scene file whose numbers may vary in time.
 class Scene {
   public:

@@ -79,6 +79,23 @@ const Value* Table::find(std::string_view key) {
     return value_ ? value_->find(key) : nullptr;
 }
 
+void Table::describe(std::string_view key, std::string schema, bool required) {
+    if (std::ranges::find(keys_, key, &schema::Key::name) == keys_.end())
+        keys_.push_back({std::string(key), std::move(schema), required});
+}
+
+void Table::variant(std::string_view key, std::string_view name,
+                    const std::function<void(Table&)>& read) {
+    Table own(reading_, nullptr, at_, path_);
+    own.describe(key, schema::words({std::string(name)}), true);
+    read(own);
+    variants_.push_back(own.schema());
+}
+
+std::string Table::schema() const {
+    return variants_.empty() ? schema::table(keys_) : schema::any_of(variants_);
+}
+
 Position Table::position_of(std::string_view key) const {
     const Value* value = value_ ? value_->find(key) : nullptr;
     return value ? value->at : at_;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <set>
@@ -65,8 +67,19 @@ class Table {
     void report_unknown() const;
     void ignore_unknown() { ignore_unknown_ = true; }
 
+    // What the readers' calls say of this table, as JSON Schema, of a Reading that
+    // describes.
+    bool describes() const { return reading_.describes; }
+    std::string schema() const;
+    // Under `key` one of several names, each with keys of its own: what `read` reads.
+    void variant(std::string_view key, std::string_view name,
+                 const std::function<void(Table&)>& read);
+
   private:
     const Value* find(std::string_view key);  // and note it as known
+    void describe(std::string_view key, std::string schema, bool required = false);
+    template <class T, class... Context>
+    std::string described_child(Context&&... context);
     Position position_of(std::string_view key) const;
     std::string path_of(std::string_view key) const;
     void mistake(std::string_view key, std::string message);
@@ -84,11 +97,14 @@ class Table {
     std::string path_;  // "terrain.stage[0]"
     bool ignore_unknown_ = false;
     std::vector<std::string> known_;
+    std::vector<schema::Key> keys_;      // described, in the readers' order
+    std::vector<std::string> variants_;  // likewise; schemas
     std::set<std::string, std::less<>> failed_;
 };
 
 template <class T, class Unit>
 void Table::field(std::string_view key, T& out, const Unit& unit) {
+    if (describes()) describe(key, schema_of<T>(unit));
     if (const Value* value = find(key))
         if (!read_value(reading_, *value, path_of(key), out, unit)) failed_.emplace(key);
     note(record_, std::string(key), out, unit);
@@ -97,6 +113,11 @@ void Table::field(std::string_view key, T& out, const Unit& unit) {
 template <class T, class Unit>
 void Table::field(std::string_view key, std::optional<T>& out, const Unit& unit,
                   std::string_view none) {
+    if (describes())
+        describe(key, none.empty()
+                          ? schema_of<T>(unit)
+                          : schema::any_of({schema_of<T>(unit),
+                                            schema::words({std::string(none)})}));
     if (const Value* value = find(key)) {
         const auto* word = std::get_if<std::string>(&value->data);
         if (word && !none.empty() && *word == none)
@@ -112,6 +133,10 @@ void Table::field(std::string_view key, std::optional<T>& out, const Unit& unit,
 
 template <class T, class Unit>
 bool Table::required(std::string_view key, T& out, const Unit& unit) {
+    if (describes()) {
+        describe(key, schema_of<T>(unit), true);
+        return true;
+    }
     if (has(key)) {
         field(key, out, unit);
     } else {
@@ -129,8 +154,23 @@ void Table::read_child(const Value* value, Position at, const std::string& name,
                        Context&&... context) {
     Table child(reading_, value, at, path_of(name));
     read(child, out, context...);
+    if (describes()) describe(name, child.schema());
     child.report_unknown();
     record_.append(name, child.record_);
+}
+
+// Tables that hold their own kind are described three deep.
+template <class T, class... Context>
+std::string Table::described_child(Context&&... context) {
+    constexpr int kDeepest = 3;
+    if (std::ranges::count(reading_.open_tables, std::type_index(typeid(T))) >= kDeepest)
+        return R"({"type":"object"})";
+    reading_.open_tables.emplace_back(typeid(T));
+    Table child(reading_, nullptr, at_, path_);
+    T out{};
+    read(child, out, context...);
+    reading_.open_tables.pop_back();
+    return child.schema();
 }
 
 template <class T, class... Context>
@@ -142,6 +182,7 @@ void Table::table(std::string_view key, T& out, Context&&... context) {
 
 template <class T, class... Context>
 void Table::table(std::string_view key, std::optional<T>& out, Context&&... context) {
+    if (describes()) return describe(key, described_child<T>(context...));
     const Value* value = find(key);
     if (!value)
         record_.lines.push_back(std::string(key) + " = none");
@@ -152,6 +193,8 @@ void Table::table(std::string_view key, std::optional<T>& out, Context&&... cont
 template <class T, class... Context>
 void Table::tables(std::string_view key, std::vector<T>& out, std::size_t most,
                    Context&&... context) {
+    if (describes())
+        return describe(key, schema::array(described_child<T>(context...), 0, most));
     const Value::Array* array = array_of_tables(key, most);
     if (!array) return;
     out.assign(array->size(), T{});

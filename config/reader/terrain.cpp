@@ -51,6 +51,11 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
 }  // namespace
 
 void read(Table& t, StageSpec& stage) {
+    if (t.describes()) {
+        for (const auto& [name, stage_options] : kMethods)
+            t.variant("method", name, stage_options);
+        return;
+    }
     StageOptions (*options_of)(Table&) = nullptr;
     if (t.required("method", options_of, one_of(kMethods)))
         stage.options = options_of(t);

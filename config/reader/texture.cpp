@@ -27,6 +27,7 @@ struct TypeName {
         return known[named(value, known)];
     }
     std::string text(const std::string& name) const { return name; }
+    std::string schema() const { return Word{}.schema(); }
 };
 
 bool is_white(const Colour::Rgb& rgb) { return std::ranges::min(rgb) >= 250; }

@@ -23,6 +23,7 @@ struct ElevationModel {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
     std::string text(const Source& source) const { return File{}.text(source); }
+    std::string schema() const { return File{}.schema(); }
 };
 
 // One or, as "dems/*.tif", several of them.
@@ -30,6 +31,7 @@ struct ElevationModels {
     static constexpr bool kVaries = false;
     std::vector<Source> read(const Value& value, Files& files) const;
     std::string text(const Source& source) const { return File{}.text(source); }
+    std::string schema() const { return File{}.schema(); }
 };
 
 void read(Table& t, texture::Point& point, TextureNames& names);  // texture_shapes.cpp

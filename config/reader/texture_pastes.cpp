@@ -40,6 +40,11 @@ struct TakenFrom {
         return static_cast<int>(found - exemplars.begin()) + 1;
     }
     std::string text(int number) const { return fmt::format("{}", number); }
+    std::string schema() const {
+        return schema::any_of(
+            {Whole{1, static_cast<std::int64_t>(kMostExemplars)}.schema(),
+             Text{}.schema()});
+    }
 };
 
 // Degrees clockwise in the file, quarter turns outside.
@@ -51,6 +56,7 @@ struct QuarterTurns {
         return static_cast<int>(degrees / 90);
     }
     std::string text(int turns) const { return fmt::format("{}", 90 * turns); }
+    std::string schema() const { return R"({"enum":[0,90,180,270]})"; }
 };
 
 void check_region(Table& t, const Paste& paste, bool taken) {

@@ -214,6 +214,33 @@ std::string File::text(const Source& source) const {
     return fmt::format("xxh3 {:016x} of {} bytes", source.hash, source.size);
 }
 
+std::string Number::schema() const { return schema::number(range); }
+
+std::string Degrees::schema() const { return schema::number(range, "degrees"); }
+
+// The range is of the share's number too, which no schema can look at.
+std::string LengthUnit::schema() const {
+    return schema::any_of(
+        {schema::number(range, "metres"),
+         schema::text(64, "^-?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)? *%$",
+                      "a share of the width")});
+}
+
+std::string Whole::schema() const { return schema::whole(low, high); }
+
+std::string Text::schema() const { return schema::text(longest); }
+
+std::string Word::schema() const { return schema::text(64, "^[A-Za-z0-9_-]+$"); }
+
+std::string Flag::schema() const { return R"({"type":"boolean"})"; }
+
+std::string Colour::schema() const {
+    return schema::any_of(
+        {schema::text(7, "^#[0-9a-fA-F]{6}$"), schema::words(colour_words())});
+}
+
+std::string File::schema() const { return schema::text(4096, ".", "a file"); }
+
 std::size_t named(const Value& value, const std::vector<std::string>& names) {
     const std::string text = line_of_text(value, 256);
     const auto found = std::ranges::find(names, text);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "config/reader/mistakes.h"
+#include "config/reader/schema.h"
 #include "config/reader/value.h"
 #include "field/length.h"
 #include "field/source.h"
@@ -22,6 +23,7 @@ namespace cydonia::config {
 // form:
 //   T read(const Value&, Files&) const  throws Wrong
 //   std::string text(const T&) const    full precision, equal for equal values
+//   std::string schema() const          what it takes, as JSON Schema (schema.h)
 //   static constexpr bool kVaries       may be given as keys over time
 
 // Opens the files that a scene names, each one once.
@@ -64,6 +66,7 @@ struct Number {
     static constexpr bool kVaries = true;
     double read(const Value& value, Files&) const;
     std::string text(double number) const;
+    std::string schema() const;
 };
 
 // Degrees in the file, radians outside.
@@ -72,6 +75,7 @@ struct Degrees {
     static constexpr bool kVaries = true;
     double read(const Value& value, Files&) const;
     std::string text(double radians) const;
+    std::string schema() const;
 };
 
 // Metres as a number, or a share of the terrain's width as "5.5 %".
@@ -80,6 +84,7 @@ struct LengthUnit {
     static constexpr bool kVaries = true;
     Length read(const Value& value, Files&) const;
     std::string text(const Length& length) const;
+    std::string schema() const;
 };
 
 // A whole number, the same in every frame.
@@ -88,6 +93,7 @@ struct Whole {
     static constexpr bool kVaries = false;
     std::int64_t read(const Value& value, Files&) const;
     std::string text(std::int64_t number) const;
+    std::string schema() const;
 };
 
 // One line of text without control characters.
@@ -96,6 +102,7 @@ struct Text {
     static constexpr bool kVaries = false;
     std::string read(const Value& value, Files&) const;
     std::string text(const std::string& text) const;
+    std::string schema() const;
 };
 
 // A word that may name a file: letters, digits, '_' and '-', at most 64.
@@ -103,6 +110,7 @@ struct Word {
     static constexpr bool kVaries = false;
     std::string read(const Value& value, Files&) const;
     std::string text(const std::string& text) const;
+    std::string schema() const;
 };
 
 // true or false.
@@ -110,6 +118,7 @@ struct Flag {
     static constexpr bool kVaries = false;
     bool read(const Value& value, Files&) const;
     std::string text(bool flag) const { return flag ? "true" : "false"; }
+    std::string schema() const;
 };
 
 // A colour of a drawing, sRGB: "#rrggbb" or a basic word of CSS.
@@ -118,6 +127,7 @@ struct Colour {
     static constexpr bool kVaries = false;
     Rgb read(const Value& value, Files&) const;
     std::string text(const Rgb& rgb) const;
+    std::string schema() const;
 };
 
 // A path, absolute or relative to the scene file; canonical by content.
@@ -125,6 +135,7 @@ struct File {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
     std::string text(const Source& source) const;
+    std::string schema() const;
 };
 
 // The one table of an enum's values and their names in files.
@@ -150,6 +161,7 @@ struct OneOf {
     E read(const Value& value, Files&) const {
         return names[named(value, words())].value;
     }
+    std::string schema() const { return schema::words(words()); }
     std::string text(const E& wanted) const {
         for (const auto& [name, value] : names)
             if (value == wanted) return std::string(name);
