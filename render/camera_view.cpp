@@ -75,11 +75,25 @@ bool meets_sea(const Terrain& t) {
     return wet;
 }
 
+// Whether more of the border is under the flood than above it: an island, not a lake.
+bool is_surrounded(const Terrain& t, const std::optional<WaterOptions>& flood) {
+    if (!flood) return false;
+    const double level = flood->level.in(t.width());
+    int wet = 0, all = 0;
+    on_border(t.heights, [&](int x, int y) {
+        wet += t.heights(x, y) < level;
+        ++all;
+    });
+    return 2 * wet > all;
+}
+
 }  // namespace
 
 Around around_of(const Terrain& t, const Options& options) {
     if (options.ground.around) return *options.ground.around;
-    return t.shadows.empty() && !meets_sea(t) ? Around::kLand : Around::kLevel;
+    const bool alone =
+        !t.shadows.empty() || meets_sea(t) || is_surrounded(t, options.water);
+    return alone ? Around::kLevel : Around::kLand;
 }
 
 double outskirts_height(const Terrain& t) { return lowest_on_border(t.heights); }

@@ -22,6 +22,7 @@ constexpr int kDomeHeight = 64;
 constexpr double kWaterIndex = 1.33;
 constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
 constexpr float kWaterClear = 0.8f;
+constexpr Rgb kFlood{0.004f, 0.016f, 0.022f};  // which nothing is seen through
 constexpr double kAmongLeaves = 0.5;  // of the sky that the place sees
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -168,6 +169,12 @@ class PreviewLand::Picture {
                         false);
     }
 
+    bool is_flood(const SeenPoint& p) const {
+        const auto& flood = shot_.options.water;
+        return flood &&
+               std::abs(p.at[2] - flood->level.in(view_.terrain().width())) < 0.01;
+    }
+
     double visible(const SeenPoint& p) const {
         if (p.surface == Surface::kSide) return 0.5;
         if (p.surface != Surface::kLand && p.surface != Surface::kThing) return 1.0;
@@ -186,7 +193,8 @@ class PreviewLand::Picture {
         const Rgb falling =
             lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
         Rgb colour = ground(p);
-        if (p.surface == Surface::kWater) colour = mixed(kWaterVeil, colour, kWaterClear);
+        if (p.surface == Surface::kWater)
+            colour = is_flood(p) ? kFlood : mixed(kWaterVeil, colour, kWaterClear);
         Rgb seen = colour * falling;
         if (p.surface == Surface::kWater) {
             const Vec3 mirrored{ray.direction.x, ray.direction.y,
