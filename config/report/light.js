@@ -132,11 +132,11 @@ class Land {
     const { width, height } = this;
     const open = new Float32Array(this.heights.length);
     const seen = new Float32Array(open.length);
-    for (const elevation of [12, 35])
-      for (let azimuth = 30; azimuth < 360; azimuth += 90) {
-        castShadows(this.heights, width, height, this.spacing, azimuth, elevation, seen);
-        for (let i = 0; i < open.length; ++i) open[i] += seen[i] / 8;
-      }
+    for (let azimuth = 30; azimuth < 360; azimuth += 60) {
+      const elevation = azimuth % 120 < 60 ? 14 : 34;
+      castShadows(this.heights, width, height, this.spacing, azimuth, elevation, seen);
+      for (let i = 0; i < open.length; ++i) open[i] += seen[i] / 6;
+    }
     this.open = doubled(open, width, height).values;
     const wet = this.water ? doubled(this.water, width, height).values : null;
     const stone = [0.60, 0.545, 0.47], cliff = [0.40, 0.375, 0.35], lake = [0.10, 0.19, 0.26];

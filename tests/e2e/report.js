@@ -26,6 +26,33 @@ async function use(page) {
   };
 }
 
+// How much longer the shadow of a block is than height / tan(elevation), at most, in
+// samples, under suns all around; run in the page.
+function worstShadow() {
+  const width = 160, height = 140, block = [74, 66, 11], high = 12, spacing = 2;
+  const heights = new Float32Array(width * height), seen = new Float32Array(width * height);
+  const each = (act) => {
+    for (let y = 0, i = 0; y < height; ++y) for (let x = 0; x < width; ++x, ++i) act(x, y, i);
+  };
+  const isBlock = (x, y) => x >= block[0] && y >= block[1] && x < block[0] + block[2] && y < block[1] + block[2];
+  each((x, y, i) => { heights[i] = isBlock(x, y) ? high : 0; });
+  let worst = 0;
+  for (let azimuth = 0; azimuth < 360; azimuth += 15)
+    for (const elevation of [15, 40]) {
+      castShadows(heights, width, height, spacing, azimuth, elevation, seen);
+      const east = Math.sin(azimuth * kRadians), south = -Math.cos(azimuth * kRadians);
+      const away = (x, y) => -(east * x + south * y);
+      let edge = -1e9, end = -1e9;
+      each((x, y, i) => {
+        if (isBlock(x, y)) edge = Math.max(edge, away(x, y));
+        else if (seen[i] < 0.5) end = Math.max(end, away(x, y));
+      });
+      const length = high / spacing / Math.tan(elevation * kRadians);
+      worst = Math.max(worst, Math.abs(end - edge - length));
+    }
+  return worst;
+}
+
 (async () => {
   const [file, folder] = process.argv.slice(2);
   const shot = async (page, name, selector) => {
@@ -41,6 +68,7 @@ async function use(page) {
     told.ready = +await page.value("document.documentElement.dataset.ready");
     await shot(page, "light", "html");
     told.webgl = await use(page);
+    told.wall = await page.value(`(${worstShadow})()`);
     await shot(page, "found", "#land");
     told.errors = page.errors;
     told.requests = page.requests;

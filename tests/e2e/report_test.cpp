@@ -90,6 +90,8 @@ TEST_F(ReportFile, OpensInChromium) {
     EXPECT_EQ(told.at("errors"), Json::array());
     EXPECT_EQ(told.at("requests"), Json::array());
     EXPECT_EQ(told.at("phone"), 390);  // nothing to scroll sideways
+    EXPECT_LT(told.at("wall"),
+              1.5);  // samples that a block's shadow is too long or short
     EXPECT_NE(told.at("dark"), told.at("switched"));
     EXPECT_EQ(told.at("flat").at("errors"), Json::array());
     EXPECT_EQ(told.at("webgl").at("says"), "");
