@@ -312,14 +312,30 @@ TEST(Gltf, NormalTexturePointsEastInRedAndNorthInGreen) {
     EXPECT_LT(north(20, 33)[1], 56);
 }
 
+// White where the land's north-western quarter is, black elsewhere.
 TEST(Gltf, ColoursLieAsTheLandDoes) {
     Terrain land = corner_land();
-    const Parts glb(gltf_scene(land, shots_of(land), 512).file);
+    Field<float>& quarter = land.masks["quarter"] = Field<float>(48, 32);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 24; ++x) quarter(x, y) = 1.0f;
+    auto shots = shots_of(land);
+    Material black, white;
+    black.light = black.dark = {0.01f, 0.01f, 0.01f};
+    white.light = white.dark = {0.8f, 0.8f, 0.8f};
+    Layer there;
+    there.material = 1;
+    there.mask = "quarter";
+    shots[0].options.ground.look = {"test", {black, white}, {Layer{}, there}, {}, {}};
+
+    const Parts glb(gltf_scene(land, shots, 512).file);
     const Json& image = glb.json.at("images").at(0);
     EXPECT_EQ(image.at("mimeType"), "image/jpeg");
     const Field<Rgb8> colours = picture_of(glb.view(image.at("bufferView")), "jpg");
-    EXPECT_EQ(colours.width(), 4 * 48);
-    EXPECT_EQ(colours.height(), 4 * 32);
+    ASSERT_EQ(colours.width(), 4 * 48);
+    ASSERT_EQ(colours.height(), 4 * 32);
+    EXPECT_GT(colours(40, 30)[1], 180);  // sRGB: 0.8 of light is 231
+    for (const auto& [x, y] : {std::pair{150, 30}, {40, 100}, {150, 100}})
+        EXPECT_LT(colours(x, y)[1], 60) << x << ' ' << y;
 }
 
 TEST(Gltf, WaterIsASurfaceOfItsOwnWhereItIsWet) {
