@@ -32,9 +32,14 @@ std::vector<std::string> in_pov(std::vector<std::string> names) {
 
 Made emit_assets(Job& job) {
     make_folder(job.folder / "pov");
+    const Terrain& land = job.land.drawn();
+    const Heights16 heights = quantised(land.heights);
     return {
-        in_pov(render::write_pov_assets(job.folder / "pov", job.land.drawn(),
-                                        job.spec.render.ground, job.request.quality))};
+        in_pov(render::write_pov_assets(job.folder / "pov", land, job.spec.render.ground,
+                                        job.request.quality)),
+        {{"heights.png",
+          {{"samples", {land.heights.width(), land.heights.height()}},
+           {"metres", {{"offset", heights.base}, {"scale", heights.range / 65535.0}}}}}}};
 }
 
 std::uint64_t emit_key(const Job& job, const config::SceneSpec& scene,
