@@ -22,13 +22,14 @@ void describe(CLI::App& app) {
     app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
     app.set_help_flag("-h,--help", "print this help");
     app.footer(
-        "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n"
-        "Every command has a help of its own: cydonia render --help\n");
+        "Also: emit, info, schema, validate. Every command has a help of its own.\n"
+        "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n");
     app.require_subcommand(0, 1);
     format_plainly(app);
 }
 
 void add_commands(CLI::App& app, Action& action) {
+    add_new(app, action);
     add_render(app, action);
     add_sequences(app, action);
     add_synth(app, action);
@@ -41,6 +42,9 @@ void add_commands(CLI::App& app, Action& action) {
     add_validate(app, action);
     add_schema(app, action);
     add_info(app, action);
+    // The overview fits a screen without what few look for there.
+    for (const char* name : {"emit", "info", "schema", "validate"})
+        app.get_subcommand(name)->group("");
 }
 
 int exit_code(ExitCode code) { return static_cast<int>(code); }

@@ -35,9 +35,10 @@ all() {
     draw natural coast
     draw alpine alpine-valley
     draw winter u-valley render.sun.elevation=14 render.sun.azimuth=250
-    draw green hills
+    draw green hills render.sun.azimuth=240 render.sun.elevation=20 \
+        'render.camera[0].elevation=9'
     draw autumn v-valley render.sun.elevation=20
-    draw tundra fault
+    draw tundra hills render.sun.elevation=14 'render.camera[0].elevation=9'
     draw storm island
     draw karst tower-karst
     draw desert mesa
