@@ -23,7 +23,7 @@ constexpr double kWaterIndex = 1.33;
 constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
 constexpr float kWaterClear = 0.8f;
 constexpr Rgb kFlood{0.004f, 0.016f, 0.022f};  // which nothing is seen through
-constexpr double kAmongLeaves = 0.5;  // of the sky that the place sees
+constexpr double kAmongLeaves = 0.5;           // of the sky that the place sees
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
