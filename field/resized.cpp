@@ -70,7 +70,7 @@ Field<float> at_most(const Field<float>& image, int samples) {
     const int longer = std::max(image.width(), image.height());
     if (longer <= samples) return image;
     const auto scaled = [&](int side) {
-        return std::max(2,
+        return std::max(std::min(2, side),
                         static_cast<int>(std::lround(double(side) * samples / longer)));
     };
     return resized(image, scaled(image.width()), scaled(image.height()));

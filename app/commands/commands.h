@@ -26,6 +26,7 @@ void add_emit(CLI::App& app, Action& action);
 void add_sequences(CLI::App& app, Action& action);  // sweep, turntable, film
 void add_new(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_watch(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);

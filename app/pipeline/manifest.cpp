@@ -88,8 +88,7 @@ Json command_of(const Json& goals, const Job& job) {
     const Request& request = job.request;
     Json command = {{"goals", goals},
                     {"quality", name_of(request.quality)},
-                    {"set", request.overrides},
-                    {"threads", request.threads}};
+                    {"set", request.overrides}};
     if (request.size) command["size"] = *request.size;
     if (request.preview) command["style"] = name_of(*request.preview);
     if (request.explain) command["explain"] = true;
@@ -153,7 +152,7 @@ Json manifest_of(const std::vector<Step>& steps, const Job& job) {
                      {"land", land_of(job)},
                      {"figures", Json::object()},
                      {"outputs", Json::array()}};
-    Json timings = {{"seconds", Json::object()}};
+    Json timings = {{"threads", job.request.threads}, {"seconds", Json::object()}};
     std::uint64_t peak = 0;
     for (const Step* step : finished) {
         const Entry& entry = *job.ledger.finished(step->name, step->key());

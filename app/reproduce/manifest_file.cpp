@@ -60,7 +60,6 @@ void read_command(const Json& command, ManifestFile& manifest) {
         named(command.at("quality").get<std::string>(),
               {Quality::kDraft, Quality::kPreview, Quality::kFinal}, "quality");
     request.overrides = command.at("set").get<std::vector<std::string>>();
-    request.threads = within(command.at("threads"), "threads", 0, 1024);
     request.force = true;  // what fell short then falls short again
     if (command.contains("size")) {
         const Json& size = command.at("size");
@@ -163,6 +162,8 @@ ManifestFile read_manifest(const fs::path& file) try {
         (manifest.folder / json.at("inputs").at("scene").at("path").get<std::string>())
             .lexically_normal();
     read_command(json.at("command"), manifest);
+    manifest.request.threads =
+        within(manifest.json.at("timings").at("threads"), "threads", 0, 1024);
     read_outputs(json.at("outputs"), manifest);
     return manifest;
 } catch (const Json::exception&) {

@@ -176,6 +176,7 @@ TEST(Day, FilmsWithTheCameraThatIsAskedFor) {
 std::string refusal(const config::SceneSpec& scene) {
     try {
         check_day(scene);
+        check_names(scene, "day", 48);
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::kBadRequest);
         return error.what();

@@ -142,7 +142,7 @@ TEST_F(Reproduce, BadInput) {
     expect_refused_with("/manifest", 2, "a manifest of version 2; this cydonia");
     expect_refused_with("/outputs/0/file", "../../etc/passwd", "leaves the manifest's");
     expect_refused_with("/outputs/0/file", "/etc/passwd", "leaves the manifest's folder");
-    expect_refused_with("/command/threads", 100000, "threads: 100000");
+    expect_refused_with("/timings/threads", 100000, "threads: 100000");
     expect_refused_with("/command/quality", "best", "'best' is not known");
     expect_refused_with("/command/goals/0", "all", "'all' is not known");
     expect_refused_with("/command/export/to", "step", "'step' is not known");
