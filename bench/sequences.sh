@@ -104,14 +104,18 @@ echo "frames: $(wc -l < "$work/last") of $short; finished before the last run an
 [ "$(pixels "$work/whole")" = "$(pixels "$work/killed")" ] && echo "pixels: those of the undisturbed run" || echo "pixels: NOT those of the undisturbed run"
 cmp -s "$work/whole/terrain.exr" "$work/killed/terrain.exr" && echo "heights: those of the undisturbed run, byte by byte" || echo "heights: differ in bytes (the file's date, else a fault)"
 
+# As much space as all but half of the frames take.
 if [ "$(id -u)" = 0 ]; then
     echo "== a full disk"
+    kilobytes() { cat "$@" | wc -c | awk '{ print int($1 / 1024) }'; }
+    space=$(($(du -sk "$work/whole" | cut -f1) - $(du -sk "$work/whole/frames" | cut -f1) \
+        - $(kilobytes "$work/whole/report.html") - $(kilobytes "$work"/whole/pov/turntable-*.exr) / 2))
     mkdir "$work/small"
-    mount -t tmpfs -o size=24m tmpfs "$work/small"
+    mount -t tmpfs -o size=${space}k tmpfs "$work/small"
     trap 'umount "$work/small"; rm -rf "$work"' EXIT
     film "$work/small/out" > "$work/log" 2>&1 && code=0 || code=$?
     echo "exit $code: $(tail -1 "$work/log")"
-    echo "whole frames then: $(ls "$work/small/out/frames" 2> /dev/null | grep -c png || true)"
+    echo "whole frames then: $(ls "$work/small/out/frames" 2> /dev/null | grep -c 'turntable-[0-9]*.png' || true)"
     mount -o remount,size=400m "$work/small"
     film "$work/small/out" > /dev/null && echo "after space was made: $(ls "$work/small/out/frames/" | grep -c 'turntable-[0-9]*.png') frames"
 fi

@@ -135,8 +135,20 @@ std::string reason_in(std::string_view text) {
     return reason.empty() ? "it did not say why" : reason.substr(0, kLongestMessage);
 }
 
+// It aborts without a word, or leaves half a picture, where the disk is full.
+void expect_space(const fs::path& folder) {
+    constexpr std::uintmax_t kLeast = 1u << 20;
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (!error && space.available < kLeast)
+        throw failure(
+            "the disk of {} is full: make space; the same command goes on from here",
+            folder.string());
+}
+
 void expect_success(const Child& child, const fs::path& scene, std::string_view text) {
     const int outcome = child.outcome();
+    if (outcome != 0) expect_space(scene.parent_path());
     if (outcome == Child::kCannotStart && text.empty())
         throw failure("cannot start POV-Ray in {}", scene.parent_path().string());
     if (outcome < 0)

@@ -1,6 +1,7 @@
 #include "render/frames/povray.h"
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 
 #include <algorithm>
 #include <chrono>
@@ -214,6 +215,18 @@ TEST_F(Povray, AnEarlierPictureSurvivesAFailure) {
     Watcher watcher;
     EXPECT_THROW(run(watcher), Error);
     EXPECT_EQ(read_text(folder / "view.exr"), "earlier");
+}
+
+TEST_F(Povray, FailsOnAFullDisk) {
+    const fs::path disk = folder.path() / "disk";
+    fs::create_directory(disk);
+    if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=512k") != 0)
+        GTEST_SKIP() << "needs the right to mount a small disk";
+    povray_is("kill -6 $$");
+    Watcher watcher;
+    expect_error(ExitCode::kFailed, "is full: make space",
+                 [&] { run_povray(disk, "view", 2, seconds(60), watcher); });
+    EXPECT_EQ(umount(disk.c_str()), 0);
 }
 
 TEST_F(Povray, TheRealOneDrawsASphere) {
