@@ -80,8 +80,7 @@ std::vector<Step> steps_of(Job& job) {
     if (job.spec.terrain.tiles > 0) return {tiles_step(job)};
     std::vector<Step> steps = stage_steps(job);
     if (job.request.preview) {
-        for (const render::CameraOptions& camera : job.cameras())
-            steps.push_back(preview_step(job, camera));
+        for (Step& step : preview_steps(job)) steps.push_back(std::move(step));
         for (Step& step : sequence_steps(job)) steps.push_back(std::move(step));
         steps.push_back(report_step(job, with_what_else_there_is(job, steps)));
         return steps;

@@ -83,8 +83,8 @@ Step shot_step(Job& job, const render::CameraOptions& camera, const FrameOf& of 
 std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
                               const FrameOf& of = {});
 
-// In place of shot and frame, of a request for a preview.
-Step preview_step(Job& job, const render::CameraOptions& camera);
+// In place of shot and frame, of a request for a preview: one a camera.
+std::vector<Step> preview_steps(Job& job);
 // After the frame, of a scene that asks for passes; with `next`, where the camera is a
 // frame later, they have motion.
 Step passes_step(Job& job, const render::CameraOptions& camera, const FrameOf& of = {},

@@ -2,6 +2,9 @@
 // POV-Ray needs.
 #include <fmt/core.h>
 
+#include <memory>
+#include <optional>
+
 #include "app/pipeline/cache.h"
 #include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
@@ -11,8 +14,12 @@
 #include "render/frames/frame.h"
 
 namespace cydonia {
+namespace {
 
-Step preview_step(Job& job, const render::CameraOptions& camera) {
+// What the cameras of a scene share, made by the first of them.
+using SharedLand = std::shared_ptr<std::optional<render::PreviewLand>>;
+
+Step preview_step(Job& job, const render::CameraOptions& camera, const SharedLand& land) {
     const render::Style style = *job.request.preview;
     const std::string file = fmt::format("frames/{}.{}.png", camera.name, name_of(style));
     const auto pixels = static_cast<std::uint64_t>(camera.size[0]) *
@@ -23,7 +30,11 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
                                      text_of(camera, {}), file,
                                      name_of(job.request.quality), job.spec.render_text));
     };
-    const auto run = [&job, camera, file, style]() -> Made {
+    const auto natural = [land](const render::Shot& shot, const Terrain& terrain) {
+        if (!*land) land->emplace(shot, terrain);
+        return (*land)->frame(shot);
+    };
+    const auto run = [&job, camera, file, style, natural]() -> Made {
         make_folder(job.folder / "frames");
         const Terrain& terrain = job.land.drawn();
         const render::Shot shot = shot_of(camera, job, job.spec, terrain);
@@ -31,7 +42,7 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
         colour.exposure += camera.exposure;
         write_png(job.folder / file,
                   style == render::Style::kNatural
-                      ? render::picture_of(render::preview_frame(shot, terrain), colour)
+                      ? render::picture_of(natural(shot, terrain), colour)
                       : render::diagram(shot, terrain, style));
         return {{file}};
     };
@@ -40,6 +51,16 @@ Step preview_step(Job& job, const render::CameraOptions& camera) {
             .memory = memory::of_passes(job.drawn_cells(), pixels),
             .key = key,
             .run = run};
+}
+
+}  // namespace
+
+std::vector<Step> preview_steps(Job& job) {
+    const auto land = std::make_shared<std::optional<render::PreviewLand>>();
+    std::vector<Step> steps;
+    for (const render::CameraOptions& camera : job.cameras())
+        steps.push_back(preview_step(job, camera, land));
+    return steps;
 }
 
 std::string_view name_of(render::Style style) {
