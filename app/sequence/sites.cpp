@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "app/interrupt.h"
 #include "app/pipeline/cache.h"
 #include "field/files.h"
 #include "render/pov/scene.h"
@@ -47,7 +48,9 @@ class Silence final : public Progress {
   public:
     explicit Silence(Progress& all) : all_(all) {}
     void step(std::string_view) override {}
-    void report(double) override {}
+    void report(double) override {
+        if (interrupt_signal() != 0) throw Interrupted{};
+    }
     void note(std::string_view) override {}
     void warn(std::string_view sentence) override { all_.warn(sentence); }
 

@@ -1,13 +1,12 @@
 // report.html as a browser shows it: headless Chromium, driven by report.js through node.
 #include <gtest/gtest.h>
 
-#include <fmt/core.h>
-
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "render/frames/child.h"
+#include "render/frames/program.h"
 #include "tests/app/program.h"
 #include "tests/app/scenes.h"
 
@@ -38,15 +37,12 @@ struct ReportFile : testing::Test {
     }
 };
 
-bool installed(const char* program) {
-    return std::system(fmt::format("command -v {} >/dev/null", program).c_str()) == 0;
-}
-
-std::string output_of(const std::string& command) {
+// What a page's driver prints; with its errors, which are no JSON.
+std::string told_by_node(const std::vector<std::string>& arguments) {
     std::string text;
-    FILE* pipe = popen(command.c_str(), "r");
-    for (int c = 0; pipe && (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
-    if (pipe) pclose(pipe);
+    render::Child node(*render::program_on_path("node"), arguments, ".");
+    while (node.read(text, std::chrono::milliseconds(100)))
+        ;
     return text;
 }
 
@@ -78,13 +74,14 @@ TEST_F(ReportFile, IsThereWhenTheCheckFallsShort) {
 
 TEST_F(ReportFile, OpensInChromium) {
     for (const char* program : {"chromium", "node"})
-        if (!installed(program)) GTEST_SKIP() << program << " is not installed";
+        if (!render::program_on_path(program))
+            GTEST_SKIP() << program << " is not installed";
     const std::string title = "</script><script>throw 1</script>";
     ASSERT_EQ(report({"--force", "--set", "title=\"" + title + "\""}).code, 0);
     const char* shots = std::getenv("CYDONIA_SCREENSHOTS");  // to look at
-    const Json told = Json::parse(output_of(
-        fmt::format("node '{}/tests/e2e/report.js' '{}' '{}'", CYDONIA_SOURCE_DIR,
-                    (out / "report.html").string(), shots ? shots : "")));
+    const Json told =
+        Json::parse(told_by_node({CYDONIA_SOURCE_DIR "/tests/e2e/report.js",
+                                  (out / "report.html").string(), shots ? shots : ""}));
 
     EXPECT_EQ(told.at("title"), title);
     EXPECT_EQ(told.at("errors"), Json::array());
