@@ -12,7 +12,7 @@
 
 namespace cydonia {
 
-OutputFolder::OutputFolder(const std::filesystem::path& path, Claim claim) {
+OutputFolder::OutputFolder(const std::filesystem::path& path, Claim claim) : path_(path) {
     make_folder(path / ".cache");
     // Writing a few bytes tells a full or read-only file system before hours of work do.
     write_text(path / ".cache" / "README",
@@ -28,5 +28,17 @@ OutputFolder::OutputFolder(const std::filesystem::path& path, Claim claim) {
 }
 
 OutputFolder::~OutputFolder() { close(lock_); }
+
+void OutputFolder::belongs_to(const std::string& scene) const {
+    const std::filesystem::path file = path_ / ".cache" / "scene";
+    std::error_code none;
+    const std::string owner = std::filesystem::exists(file, none) ? read_text(file) : "";
+    if (!owner.ends_with('\n'))
+        return write_text(file, scene + "\n");  // none, or damaged
+    if (owner != scene + "\n")
+        throw bad_request(
+            "{} holds the scene '{}'; name another folder with -o, or remove it",
+            path_.string(), owner.substr(0, owner.find('\n')));
+}
 
 }  // namespace cydonia

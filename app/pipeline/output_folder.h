@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace cydonia {
 
@@ -12,10 +13,14 @@ class OutputFolder {
     enum class Claim { kAlone, kShared };
     explicit OutputFolder(const std::filesystem::path& path, Claim claim = Claim::kAlone);
     ~OutputFolder();
+    // From now on it is this scene's. Throws bad_request() when it is another's, whose
+    // files would stand among those of this one.
+    void belongs_to(const std::string& scene) const;
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
   private:
+    std::filesystem::path path_;
     int lock_ = -1;  // file descriptor
 };
 

@@ -125,6 +125,7 @@ void make_here(Job& job, Goal goal) {
         if (!p.finished && p.step->before) p.step->before();
     }
     const OutputFolder claim(job.folder);
+    claim.belongs_to(job.spec.name);
 
     try {
         carry_out(steps, goal, job);

@@ -195,6 +195,19 @@ TEST_F(Sequences, LandThatRises) {
     EXPECT_EQ(times().at("film-0002.png"), before.at("film-0002.png"));
 }
 
+TEST_F(Sequences, TheFolderOfAnotherSceneIsRefused) {
+    const std::vector<std::string> look{"--engine", "embree",   "--size",
+                                        "32x18",    "--frames", "1"};
+    ASSERT_EQ(ask("turntable", kSmallScene, look).code, 0);
+    folder.write("other.toml", kSmallScene);
+    const Outcome outcome =
+        run({folder.path()}, {"synth", "other.toml", "-o", out.string()});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("holds the scene 'land'; name another folder with -o"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(Sequences, BadInput) {
     const auto expect_refused = [&](const std::string& command, const std::string& scene,
                                     const std::string& words,
