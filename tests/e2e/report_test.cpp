@@ -11,6 +11,7 @@
 #include "tests/app/scenes.h"
 
 namespace fs = std::filesystem;
+using namespace cydonia;
 using namespace cydonia::test;
 using Json = nlohmann::ordered_json;
 
