@@ -25,6 +25,14 @@ struct Request {
     bool first_camera_only = false;
     // Pixels of every frame; empty: its camera's, by quality.
     std::optional<std::array<int, 2>> size = {};
+    // Only these frames of a sequence; empty: all, and the video.
+    struct Frames {
+        int first = 0, last = 0;  // from 0, both included
+    };
+    std::optional<Frames> frames = {};
+    // Of those only the light, by POV-Ray, while others of the folder's frames are traced
+    // by other processes.
+    bool trace_only = false;
     // Frames by Embree, shown so, instead of by POV-Ray.
     std::optional<render::Style> preview = {};
     bool explain = false;  // stages show how they came to their land
@@ -34,10 +42,21 @@ struct Request {
 };
 
 // How far to go; each goal includes those before it, but what films frames of its own
-// leaves the stills and one another alone.
-enum class Goal { kTerrain, kCheck, kReport, kEmit, kFrames, kSweep, kTurntable, kFilm };
+// leaves the stills and one another alone. Assets are what all frames draw.
+enum class Goal {
+    kTerrain,
+    kCheck,
+    kReport,
+    kAssets,
+    kEmit,
+    kFrames,
+    kSweep,
+    kTurntable,
+    kFilm
+};
 
 std::string_view name_of(render::Quality quality);
 std::string_view name_of(render::Style style);
+std::string_view name_of(Goal goal);  // the command that reaches it
 
 }  // namespace cydonia

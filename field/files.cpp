@@ -13,10 +13,18 @@ namespace cydonia {
 namespace fs = std::filesystem;
 namespace {
 
+// Of this machine: several may write to one disk.
+std::size_t machine() {
+    char name[256] = {};
+    gethostname(name, sizeof name - 1);
+    return std::hash<std::string_view>{}(name)&0xffffff;
+}
+
 // Hidden, in the same folder so that the rename stays on one disk, and with the same
 // extension because writers choose their format by it.
 fs::path temporary_beside(const fs::path& path) {
-    return path.parent_path() / fmt::format(".{}.tmp{}{}", path.stem().string(), getpid(),
+    return path.parent_path() / fmt::format(".{}.tmp{:x}-{}{}", path.stem().string(),
+                                            machine(), getpid(),
                                             path.extension().string());
 }
 

@@ -55,6 +55,8 @@ void add_effort_options(CLI::App& command, Request& request);
 void add_engine(CLI::App& command, Request& request);
 void check_engine(const CLI::App& command, const Request& request);
 void add_size(CLI::App& command, Request& request);
+// --frames N, how many, [the scene's, else `count`], or --frames A-B, which.
+void add_frames(CLI::App& command, Request& request, const std::string& count);
 
 // How help is printed, by the program and its subcommands.
 void format_plainly(CLI::App& app);

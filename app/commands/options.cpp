@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "config/reader/scene.h"
 
 namespace cydonia {
 namespace {
@@ -133,6 +134,31 @@ void add_size(CLI::App& command, Request& request) {
         .add_option_function<std::string>(
             "--size", size, "pixels of every frame [the scene's, by quality]")
         ->type_name("WxH");
+}
+
+void add_frames(CLI::App& command, Request& request, const std::string& count) {
+    const auto frames = [&request](const std::string& text) {
+        constexpr int kMost = config::kMostFrames;
+        int first = 0, last = 0;
+        char rest = 0;
+        if (std::sscanf(text.c_str(), "%5d-%5d%c", &first, &last, &rest) == 2 &&
+            0 <= first && first <= last && last < kMost) {
+            request.frames = {first, last};
+        } else if (std::sscanf(text.c_str(), "%5d%c", &first, &rest) == 1 && 1 <= first &&
+                   first <= kMost) {
+            request.overrides.push_back(fmt::format("frames.count={}", first));
+        } else {
+            throw CLI::ValidationError(fmt::format(
+                "--frames is how many, 1 to {}, or the first and the last of those to "
+                "make, from 0, as in 0-239",
+                kMost));
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--frames", frames,
+            "how many [the scene's, else " + count + "], or A-B: which")
+        ->type_name("N");
 }
 
 }  // namespace cydonia

@@ -1,12 +1,9 @@
 #include <CLI/CLI.hpp>
 
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "app/commands/commands.h"
 #include "app/pipeline/pipeline.h"
-#include "config/reader/scene.h"
 
 namespace cydonia {
 namespace {
@@ -14,19 +11,18 @@ namespace {
 void add_sequence(CLI::App& app, Action& action, const Help& help, Goal goal,
                   const std::string& count) {
     const auto request = std::make_shared<Request>();
-    const auto frames = std::make_shared<int>(0);
     CLI::App* command = add_command(app, help);
     add_scene(*command, *request)->required();
     add_making_options(*command, *request);
     add_engine(*command, *request);
     add_size(*command, *request);
-    command->add_option("--frames", *frames, "how many [the scene's, else " + count + "]")
-        ->check(CLI::Range(1, config::kMostFrames).description(""))
-        ->type_name("N");
-    command->callback([request, frames, goal, command, &action] {
+    add_frames(*command, *request, count);
+    command->add_flag("--trace-only", request->trace_only,
+                      "with --frames A-B: the light only, beside other runs");
+    command->callback([request, goal, command, &action] {
         check_engine(*command, *request);
-        if (*frames > 0)
-            request->overrides.push_back(fmt::format("frames.count={}", *frames));
+        if (request->trace_only && (!request->frames || request->preview))
+            throw CLI::ValidationError("--trace-only is for --frames A-B by POV-Ray");
         action = [request, goal] {
             Console console(style_for_stderr(request->quiet));
             make(*request, goal, console);

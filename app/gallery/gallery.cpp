@@ -113,7 +113,7 @@ void add_seconds(const std::vector<Step>& steps, const Ledger& ledger, Exhibit& 
         const Entry* entry = ledger.finished(step.name, step.key());
         if (!entry) continue;
         if (step.goal == Goal::kTerrain) exhibit.synthesis += entry->seconds;
-        if (step.goal >= Goal::kEmit) exhibit.render += entry->seconds;
+        if (step.goal >= Goal::kAssets) exhibit.render += entry->seconds;
     }
 }
 

@@ -95,7 +95,7 @@ std::vector<render::CameraOptions> pictures_of(const render::CameraOptions& came
 }
 
 Step assets_step(Job& job) {
-    return {kAssetsStep, Goal::kEmit, memory::of_emit(job.drawn_cells()),
+    return {kAssetsStep, Goal::kAssets, memory::of_emit(job.drawn_cells()),
             [&job] { return emit_key(job, job.spec, "assets"); },
             [&job] { return emit_assets(job); }};
 }

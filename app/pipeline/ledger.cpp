@@ -15,6 +15,7 @@ namespace cydonia {
 namespace {
 
 constexpr const char* kFile = ".cache/steps.json";
+constexpr const char* kApart = ".cache/steps";
 
 Json json_of(const Entry& entry) {
     return {{"key", entry.key},         {"outputs", entry.outputs},
@@ -65,16 +66,44 @@ bool intact(const fs::path& folder, const Entry& entry) {
     return true;
 }
 
+// A missing or damaged file holds none.
+std::map<std::string, Entry> entries_in(const fs::path& file) try {
+    std::error_code none;
+    if (!fs::exists(file, none)) return {};
+    const Json steps = Json::parse(read_text(file));
+    std::map<std::string, Entry> entries;
+    for (const auto& [step, entry] : steps.items()) entries[step] = entry_of(entry);
+    return entries;
+} catch (const std::exception&) {
+    return {};
+}
+
 }  // namespace
 
-Ledger::Ledger(const fs::path& output_folder) : folder_(output_folder) {
-    if (std::error_code none; !fs::exists(folder_ / kFile, none)) return;
-    try {
-        const Json steps = Json::parse(read_text(folder_ / kFile));
-        for (const auto& [name, entry] : steps.items()) entries_[name] = entry_of(entry);
-    } catch (const std::exception&) {
-        entries_.clear();
-    }
+Ledger::Ledger(const fs::path& folder)
+    : folder_(folder), entries_(entries_in(folder / kFile)) {
+    std::error_code none;
+    for (const auto& file : fs::directory_iterator(folder_ / kApart, none))
+        if (file.path().extension() == ".json") apart_.push_back(file.path());
+    // Of a step that several made, the last counts.
+    std::ranges::sort(apart_, {}, [](const fs::path& file) {
+        return std::pair(time_written(file), file);
+    });
+    for (const fs::path& file : apart_)
+        for (auto& [step, entry] : entries_in(file)) entries_[step] = std::move(entry);
+}
+
+void Ledger::record_apart(const std::string& name) {
+    make_folder(folder_ / kApart);
+    own_file_ = folder_ / kApart / (name + ".json");
+    for (const auto& [step, entry] : entries_in(own_file_)) own_.insert(step);
+}
+
+void Ledger::write() const {
+    Json steps = Json::object();
+    for (const auto& [name, entry] : entries_)
+        if (own_file_.empty() || own_.contains(name)) steps[name] = json_of(entry);
+    write_text(own_file_.empty() ? folder_ / kFile : own_file_, steps.dump(1) + "\n");
 }
 
 const Entry* Ledger::finished(const std::string& step, std::uint64_t key) const {
@@ -110,9 +139,13 @@ const Entry& Ledger::record(const std::string& step, Entry entry) {
     Entry& kept = entries_[step];
     kept = std::move(entry);
 
-    Json steps = Json::object();
-    for (const auto& [name, e] : entries_) steps[name] = json_of(e);
-    write_text(folder_ / kFile, steps.dump(1) + "\n");
+    if (!own_file_.empty()) own_.insert(step);
+    write();
+    if (own_file_.empty()) {
+        std::error_code none;
+        for (const fs::path& file : apart_) fs::remove(file, none);
+        apart_.clear();
+    }
     return kept;
 }
 

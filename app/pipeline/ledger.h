@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,20 @@ class Ledger {
     // removed.
     const Entry& record(const std::string& step, Entry entry);
 
+    // From now on what is recorded goes to a file of its own, so that processes that
+    // share the folder do not lose each other's steps. The next record of one that has
+    // the folder alone takes all such files in.
+    void record_apart(const std::string& name);
+
   private:
+    void write() const;
+
     std::filesystem::path folder_;
     std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
     std::map<std::string, Entry> entries_;
+    std::vector<std::filesystem::path> apart_;  // other files that were read
+    std::filesystem::path own_file_;            // empty: the folder's
+    std::set<std::string> own_;                 // the steps in it
 };
 
 std::string hex(std::uint64_t key);

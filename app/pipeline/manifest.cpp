@@ -1,6 +1,9 @@
 #include "app/pipeline/manifest.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "app/request_json.h"
 
 namespace cydonia {
 namespace {
@@ -40,32 +43,28 @@ Json versions_of(const Job& job) {
     return versions;
 }
 
-Json json_of(const ExportRequest& asked) {
-    Json json = {{"to", name_of(asked.format)},
-                 {"size", asked.solid.size},
-                 {"base", asked.solid.base},
-                 {"scale_z", asked.solid.scale_z}};
-    if (asked.samples) json["samples"] = *asked.samples;
-    return json;
-}
-
-// The finished steps as they are now. A step is made from what the stills' steps before
-// it wrote: after one that is to be done again, they do not count, nor does a film.
+// The finished steps as they are now. Frames are made from what steps before them wrote:
+// after one that is to be done again, they do not count.
 std::vector<const Step*> finished_steps(const std::vector<Step>& steps, const Job& job) {
     std::vector<const Step*> finished;
-    bool emitted = true;
+    bool assets = true, emitted = true;
     for (const Step& step : steps) {
         const bool is_one = job.ledger.finished(step.name, step.key()) != nullptr;
+        if (step.goal <= Goal::kAssets && step.goal != Goal::kReport) assets &= is_one;
         if (step.goal <= Goal::kEmit && step.goal != Goal::kReport) emitted &= is_one;
-        if (is_one && (emitted || step.goal <= Goal::kReport)) finished.push_back(&step);
+        const bool counts = step.goal <= Goal::kReport  ? true
+                            : step.goal > Goal::kFrames ? assets
+                                                        : emitted;
+        if (is_one && counts) finished.push_back(&step);
     }
     return finished;
 }
 
 // The farthest of the stills' goals, which includes those before it, and every film.
-Json goals_of(const std::vector<Step>& steps, const std::vector<const Step*>& finished) {
-    Json goals = Json::array();
-    std::string_view still;
+std::vector<Goal> goals_of(const std::vector<Step>& steps,
+                           const std::vector<const Step*>& finished) {
+    std::vector<Goal> goals;
+    std::optional<Goal> still;
     for (const Goal goal : {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames,
                             Goal::kSweep, Goal::kTurntable, Goal::kFilm}) {
         const auto of_goal = [goal](const Step& step) { return step.goal == goal; };
@@ -76,25 +75,12 @@ Json goals_of(const std::vector<Step>& steps, const std::vector<const Step*>& fi
             }))
             continue;
         if (goal <= Goal::kFrames)
-            still = name_of(goal);
+            still = goal;
         else
-            goals.push_back(name_of(goal));
+            goals.push_back(goal);
     }
-    if (!still.empty()) goals.insert(goals.begin(), still);
+    if (still) goals.insert(goals.begin(), *still);
     return goals;
-}
-
-Json command_of(const Json& goals, const Job& job) {
-    const Request& request = job.request;
-    Json command = {{"goals", goals},
-                    {"quality", name_of(request.quality)},
-                    {"set", request.overrides}};
-    if (request.size) command["size"] = *request.size;
-    if (request.preview) command["style"] = name_of(*request.preview);
-    if (request.explain) command["explain"] = true;
-    if (request.first_camera_only) command["first_camera_only"] = true;
-    if (request.export_as) command["export"] = json_of(*request.export_as);
-    return command;
 }
 
 Json land_of(const Job& job) {
@@ -119,12 +105,6 @@ void add_outputs(Json& manifest, const Step& step, const Entry& entry) {
 
 }  // namespace
 
-std::string_view name_of(Goal goal) {
-    constexpr std::string_view kNames[] = {"synth",  "check", "report",    "emit",
-                                           "render", "sweep", "turntable", "film"};
-    return kNames[static_cast<int>(goal)];
-}
-
 Json options_of(const config::SceneSpec& spec) {
     Json stages = Json::array();
     for (const config::StageSpec& stage : spec.stages)
@@ -140,18 +120,19 @@ Json options_of(const config::SceneSpec& spec) {
 
 Json manifest_of(const std::vector<Step>& steps, const Job& job) {
     const auto finished = finished_steps(steps, job);
-    Json manifest = {{"manifest", kManifestVersion},
-                     {"title", job.spec.title},
-                     {"scene", job.spec.name},
-                     {"seed", job.spec.seed},
-                     {"quality", name_of(job.request.quality)},
-                     {"command", command_of(goals_of(steps, finished), job)},
-                     {"versions", versions_of(job)},
-                     {"inputs", inputs_of(job)},
-                     {"options", options_of(job.spec)},
-                     {"land", land_of(job)},
-                     {"figures", Json::object()},
-                     {"outputs", Json::array()}};
+    Json manifest = {
+        {"manifest", kManifestVersion},
+        {"title", job.spec.title},
+        {"scene", job.spec.name},
+        {"seed", job.spec.seed},
+        {"quality", name_of(job.request.quality)},
+        {"command", json_of(Command{goals_of(steps, finished), job.request})},
+        {"versions", versions_of(job)},
+        {"inputs", inputs_of(job)},
+        {"options", options_of(job.spec)},
+        {"land", land_of(job)},
+        {"figures", Json::object()},
+        {"outputs", Json::array()}};
     Json timings = {{"threads", job.request.threads}, {"seconds", Json::object()}};
     std::uint64_t peak = 0;
     for (const Step* step : finished) {

@@ -16,7 +16,4 @@ Json manifest_of(const std::vector<Step>& steps, const Job& job);
 // Every key of a scene in canonical form, files by their content.
 Json options_of(const config::SceneSpec& spec);
 
-// How the manifest calls a goal: by the command that reaches it.
-std::string_view name_of(Goal goal);
-
 }  // namespace cydonia

@@ -51,7 +51,7 @@ struct PlannedStep {
 
 // Sequences film frames of their own and leave the stills alone.
 bool is_for(const Step& step, Goal goal) {
-    return step.goal == goal || step.goal < std::min(goal, Goal::kFrames);
+    return step.goal == goal || step.goal < (goal > Goal::kFrames ? Goal::kEmit : goal);
 }
 
 // What is left to do for a goal, as far as it can be told before anything is done: a step
@@ -112,6 +112,25 @@ void write_manifest(const std::vector<Step>& steps, const Job& job) {
     write_text(file, text);
 }
 
+// Frames of a land that is made, beside others who do the same.
+void make_beside_others(const std::vector<PlannedStep>& plan, Goal goal, Job& job) {
+    const OutputFolder claim(job.folder, OutputFolder::Claim::kShared);
+    std::vector<Step> own;
+    for (const PlannedStep& p : plan) {
+        if (p.step->goal == Goal::kReport) continue;
+        own.push_back(*p.step);
+        if (!p.finished && p.step->goal != goal)
+            throw bad_request(
+                "--trace-only: '{}' is to be done first: cydonia emit with the same "
+                "options makes what all frames need",
+                p.step->name);
+    }
+    const auto& frames = *job.request.frames;
+    job.ledger.record_apart(
+        fmt::format("{}-{}-{}", name_of(goal), frames.first, frames.last));
+    carry_out(own, goal, job);
+}
+
 void make_here(Job& job, Goal goal) {
     check_request(job, goal);
     if (job.request.tile && !job.request.dry_run) return make_tile(job);
@@ -124,7 +143,9 @@ void make_here(Job& job, Goal goal) {
     for (const PlannedStep& p : plan) {
         if (!p.finished && p.step->before) p.step->before();
     }
+    if (job.request.trace_only) return make_beside_others(plan, goal, job);
     const OutputFolder claim(job.folder);
+    job.ledger = Ledger(job.folder);  // another may have been at work until now
     claim.belongs_to(job.spec.name);
 
     try {

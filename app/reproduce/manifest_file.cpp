@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/pipeline/manifest.h"
+#include "app/request_json.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -17,72 +18,19 @@ namespace {
 
 constexpr std::size_t kMostOutputs = 1'000'000;
 
-// The one of `all` that the manifest calls so.
-template <class T>
-T named(const std::string& name, std::initializer_list<T> all, const char* what) {
-    for (const T& one : all)
-        if (name_of(one) == name) return one;
-    throw bad_request("command.{}: '{}' is not known to this version", what, name);
-}
-
-int within(const Json& json, const char* name, int low, int high) {
-    const int value = json.get<int>();
-    if (value < low || value > high)
-        throw bad_request("command.{}: {} is not between {} and {}", name, value, low,
-                          high);
-    return value;
-}
-
-ExportRequest export_of(const Json& json) {
-    const std::string to = json.at("to");
-    const auto found = export_formats().find(to);
-    if (found == export_formats().end())
-        throw bad_request("command.export.to: '{}' is not known to this version", to);
-    ExportRequest asked{.format = found->second};
-    asked.solid.size = json.at("size");
-    asked.solid.base = json.at("base");
-    asked.solid.scale_z = json.at("scale_z");
-    if (json.contains("samples")) asked.samples = json.at("samples").get<int>();
-    return asked;
-}
-
-void read_command(const Json& command, ManifestFile& manifest) {
-    using render::Quality;
-    using render::Style;
-    Request& request = manifest.request;
-    for (const std::string goal : command.at("goals"))
-        manifest.goals.push_back(
-            named(goal,
-                  {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames, Goal::kSweep,
-                   Goal::kTurntable, Goal::kFilm},
-                  "goals"));
-    request.quality =
-        named(command.at("quality").get<std::string>(),
-              {Quality::kDraft, Quality::kPreview, Quality::kFinal}, "quality");
-    request.overrides = command.at("set").get<std::vector<std::string>>();
-    request.force = true;  // what fell short then falls short again
-    if (command.contains("size")) {
-        const Json& size = command.at("size");
-        request.size = {within(size.at(0), "size", 16, 16384),
-                        within(size.at(1), "size", 16, 16384)};
-    }
-    if (command.contains("style"))
-        request.preview =
-            named(command.at("style").get<std::string>(),
-                  {Style::kNatural, Style::kGrey, Style::kHeight, Style::kSlope,
-                   Style::kInk, Style::kContours, Style::kRadiance},
-                  "style");
-    request.explain = command.value("explain", false);
-    request.first_camera_only = command.value("first_camera_only", false);
-    if (command.contains("export")) request.export_as = export_of(command.at("export"));
-}
-
 // A plain name below the folder; nothing else is read or compared.
 std::string below(const std::string& file) {
     const fs::path path(file);
     if (path.empty() || path.is_absolute() || std::ranges::find(path, "..") != path.end())
         throw bad_request("outputs: '{}' leaves the manifest's folder", file);
     return file;
+}
+
+int threads_of(const Json& json) {
+    const int threads = json.at("timings").at("threads").get<int>();
+    if (threads < 0 || threads > 1024)
+        throw bad_request("timings.threads: {} is not between 0 and 1024", threads);
+    return threads;
 }
 
 void read_outputs(const Json& outputs, ManifestFile& manifest) {
@@ -158,12 +106,14 @@ ManifestFile read_manifest(const fs::path& file) try {
             "again with this one, or take the cydonia {} that wrote it",
             json.at("manifest").dump(), kVersion, kManifestVersion,
             json.at("versions").at("cydonia").get<std::string>());
+    Command command = command_of(json.at("command"));
+    manifest.goals = std::move(command.goals);
+    manifest.request = std::move(command.request);
+    manifest.request.force = true;  // what fell short then falls short again
     manifest.request.scene =
         (manifest.folder / json.at("inputs").at("scene").at("path").get<std::string>())
             .lexically_normal();
-    read_command(json.at("command"), manifest);
-    manifest.request.threads =
-        within(manifest.json.at("timings").at("threads"), "threads", 0, 1024);
+    manifest.request.threads = threads_of(json);
     read_outputs(json.at("outputs"), manifest);
     return manifest;
 } catch (const Json::exception&) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/pipeline/memory.h"
+#include "app/sequence/plan.h"
 #include "app/sequence/share.h"
 #include "app/sequence/sites.h"
 #include "app/threads.h"
@@ -50,18 +51,26 @@ class Filming {
           traced_(sequence.shots.size(), 0) {}
 
     // First those whose light tells the exposure of all.
-    void run(int workers) {
-        each(sequence_.exposed_by, workers, [&](std::size_t i) { trace(i); });
+    void run(const std::vector<std::size_t>& frames, int workers) {
+        sites_.remove_leftovers();
+        leave_out_all_but(frames);
+        const auto trace_it = [&](std::size_t i) { trace(i); };
+        if (job_.request.trace_only) return each(frames, workers, trace_it);
+        each(sequence_.exposed_by, workers, trace_it);
         std::vector<double> own;
         for (const std::size_t i : sequence_.exposed_by)
             own.push_back(render::own_exposure(picture(sequence_.shots[i])));
         exposure_ = sequence_.exposure + render::steady_stops(std::move(own));
 
-        std::vector<std::size_t> all(sequence_.shots.size());
-        for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-        each(all, workers, [&](std::size_t i) {
+        each(frames, workers, [&](std::size_t i) {
             trace(i);
             deliver(i);
+        });
+    }
+
+    bool is_traced(std::size_t index) {
+        return std::ranges::all_of(trace_steps(index), [&](const Step& step) {
+            return job_.ledger.finished(step.name, step.key()) != nullptr;
         });
     }
 
@@ -98,6 +107,15 @@ class Filming {
         if (error) std::rethrow_exception(error);
     }
 
+    void leave_out_all_but(const std::vector<std::size_t>& frames) {
+        std::vector<char> wanted(sequence_.shots.size(), 0);
+        for (const std::size_t i : frames) wanted[i] = 1;
+        if (!job_.request.trace_only)
+            for (const std::size_t i : sequence_.exposed_by) wanted[i] = 1;
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            if (!wanted[i]) share_.skip(i);
+    }
+
     std::filesystem::path picture(const Shot& shot) const {
         return job_.folder / "pov" / (shot.camera.name + ".exr");
     }
@@ -114,18 +132,19 @@ class Filming {
         return frame;
     }
 
+    // Of a land of its own nothing but the light is kept.
+    std::vector<Step> trace_steps(std::size_t index) {
+        const render::CameraOptions& camera = sequence_.shots[index].camera;
+        const FrameOf frame = frame_of(index);
+        if (frame.site) return {trace_step_at_site(job_, camera, frame)};
+        return {shot_step(job_, camera, frame), frame_steps(job_, camera, frame).front()};
+    }
+
     void trace(std::size_t index) {
         if (traced_[index]) return;
-        const render::CameraOptions& camera = sequence_.shots[index].camera;
         progress_[index].report(0.0);
-        const FrameOf frame = frame_of(index);
         bool anew = false;
-        if (frame.site) {
-            anew = finish(trace_step_at_site(job_, camera, frame), job_);
-        } else {
-            finish(shot_step(job_, camera, frame), job_);
-            anew = finish(frame_steps(job_, camera, frame).front(), job_);
-        }
+        for (const Step& step : trace_steps(index)) anew = finish(step, job_);
         traced_[index] = 1;
         if (anew)
             share_.report(index, kOfTrace);
@@ -168,17 +187,33 @@ int workers_for(const Job& job, const Sequence& sequence) {
 Made film_by_povray(Job& job, const Sequence& sequence) {
     make_folder(job.folder / "pov");
     job.land.drawn();  // once, before workers share it
-    Filming(job, sequence).run(workers_for(job, sequence));
+    const std::vector<std::size_t> frames = frames_to_make(sequence, job.request);
+    Filming(job, sequence).run(frames, workers_for(job, sequence));
     Made made;
     const auto add_outputs_of = [&](const std::string& step) {
         for (std::string& file : job.ledger.outputs_of(step))
             made.outputs.push_back(std::move(file));
     };
-    for (const Shot& shot : sequence.shots) {
-        add_outputs_of("deliver " + shot.camera.name);
-        if (job.spec.render.passes) add_outputs_of("passes " + shot.camera.name);
+    for (const std::size_t i : frames) {
+        const std::string& frame = sequence.shots[i].camera.name;
+        if (job.request.trace_only) {
+            add_outputs_of("trace " + frame);
+            continue;
+        }
+        add_outputs_of("deliver " + frame);
+        if (job.spec.render.passes) add_outputs_of("passes " + frame);
     }
     return made;
+}
+
+std::vector<std::size_t> frames_to_trace(Job& job, const Sequence& sequence) {
+    std::vector<std::size_t> frames = frames_to_make(sequence, job.request);
+    frames.insert(frames.end(), sequence.exposed_by.begin(), sequence.exposed_by.end());
+    std::ranges::sort(frames);
+    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    Filming filming(job, sequence);
+    std::erase_if(frames, [&](std::size_t i) { return filming.is_traced(i); });
+    return frames;
 }
 
 }  // namespace cydonia

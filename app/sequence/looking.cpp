@@ -7,6 +7,7 @@
 
 #include "app/pipeline/cache.h"
 #include "app/sequence/filming.h"
+#include "app/sequence/plan.h"
 #include "app/sequence/sites.h"
 #include "field/files.h"
 #include "render/colour/exposure.h"
@@ -26,10 +27,11 @@ class Looking {
         make_folder(job_.folder / "frames");
         if (style_ == render::Style::kNatural) expose();
         Made made;
-        const std::size_t count = sequence_.shots.size();
-        for (std::size_t i = 0; i < count; ++i) {
+        const std::vector<std::size_t> frames = frames_to_make(sequence_, job_.request);
+        for (const std::size_t i : frames) {
             made.outputs.push_back(frame(i));
-            job_.progress.report(static_cast<double>(i + 1) / static_cast<double>(count));
+            job_.progress.report(static_cast<double>(made.outputs.size()) /
+                                 static_cast<double>(frames.size()));
         }
         return made;
     }

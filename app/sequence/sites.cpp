@@ -74,12 +74,19 @@ struct Sites::Own {
     Site site{terrain, pov};
 };
 
-Sites::Sites(Job& job) : job_(job), jobs_own_(key_of(job.land, job.spec)) {
-    // What an interrupted run could not remove.
+Sites::Sites(Job& job) : job_(job), jobs_own_(key_of(job.land, job.spec)) {}
+
+void Sites::remove_leftovers() {
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(job.folder / "pov", none))
-        if (entry.path().filename().string().starts_with(kFolder))
+    for (const auto& entry : fs::directory_iterator(job_.folder / "pov", none))
+        if (entry.path().filename().string().starts_with(folder_prefix()))
             fs::remove_all(entry.path(), none);
+}
+
+std::string Sites::folder_prefix() const {
+    if (!job_.request.trace_only) return kFolder;
+    return fmt::format("{}{}-{}-", kFolder, job_.request.frames->first,
+                       job_.request.frames->last);
 }
 
 void Sites::choose(const Shot& shot, FrameOf& frame) {
@@ -99,7 +106,7 @@ std::shared_ptr<const Site> Sites::at(std::uint64_t key, const config::SceneSpec
         Silence silence(job_.progress);
         Land land = job_.land_of(scene, silence);
         const fs::path folder =
-            job_.folder / "pov" / fmt::format("{}{:016x}", kFolder, key);
+            job_.folder / "pov" / fmt::format("{}{:016x}", folder_prefix(), key);
         own = std::make_shared<const Own>(folder, land.drawn());
         if (!job_.request.preview) {  // of POV-Ray
             make_folder(folder);

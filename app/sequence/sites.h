@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "app/pipeline/job.h"
 #include "app/sequence/sequence.h"
@@ -16,12 +17,17 @@ class Sites {
   public:
     explicit Sites(Job& job);
 
+    // What interrupted runs could not remove; beside other processes only of this one's
+    // frames.
+    void remove_leftovers();
+
     // Says in `frame` what scene and which land the shot is of. Any thread; holds as long
     // as this and the shot.
     void choose(const Shot& shot, FrameOf& frame);
 
   private:
     struct Own;
+    std::string folder_prefix() const;
     std::shared_ptr<const Site> at(std::uint64_t key, const config::SceneSpec& scene);
 
     Job& job_;

@@ -2,82 +2,21 @@
 
 #include <fmt/core.h>
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "app/gallery/contact_sheet.h"
 #include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
-#include "app/sequence/day.h"
 #include "app/sequence/filming.h"
-#include "app/sequence/share.h"
-#include "app/sequence/timeline.h"
-#include "app/sequence/turntable.h"
+#include "app/sequence/plan.h"
+#include "app/sequence/reel.h"
 #include "field/error.h"
-#include "field/files.h"
 #include "render/cameras.h"
 #include "render/frames/povray.h"
 #include "render/frames/video.h"
 
 namespace cydonia {
 namespace {
-
-constexpr std::size_t kSheetFrames = 48;  // at most, evenly
-constexpr std::size_t kSheetBytes = 400000;
-constexpr std::array<const char*, 3> kVideos = {".mp4", ".webp", ".gif"};
-
-Goal goal_of(Kind kind) {
-    constexpr Goal kGoals[] = {Goal::kSweep, Goal::kTurntable, Goal::kFilm};
-    return kGoals[static_cast<int>(kind)];
-}
-
-struct Plan {
-    Sequence sequence;
-    std::vector<std::string> news = {};
-    bool appears = true;  // the first image of a day
-};
-
-// A turntable's camera may be none of the scene's.
-Sequence sized(Sequence sequence, const Job& job) {
-    for (Shot& shot : sequence.shots) {
-        job.resize(shot.camera);
-        job.resize(*shot.next);
-        for (render::CameraOptions& moment : shot.moments) job.resize(moment);
-    }
-    return sequence;
-}
-
-// A day follows the suns of images, which stages choose: its land is made first.
-Plan plan_of(Kind kind, Job& job) {
-    switch (kind) {
-        case Kind::kDay: {
-            Day day =
-                day_over(job.spec.frames, filming_camera(job.spec.frames, job.cameras()),
-                         job.land.finished().shadows);
-            return {std::move(day.sequence), std::move(day.news), day.appears};
-        }
-        case Kind::kTurntable:
-            return {sized(turntable(job.spec.frames, job.cameras()), job)};
-        case Kind::kFilm:
-            break;
-    }
-    Timeline film = timeline({[&job](double frame) { return job.at(frame); },
-                              job.scene.varies(), job.scene.last_key()},
-                             job.spec, job.cameras());
-    return {std::move(film.sequence), std::move(film.news)};
-}
-
-void check(Kind kind, Job& job) {
-    if (kind == Kind::kDay) check_day(job.spec);
-    const int count = kind == Kind::kFilm
-                          ? static_cast<int>(plan_of(kind, job).sequence.shots.size())
-                          : job.spec.frames.count.value_or(config::FramesSpec::kCount);
-    check_names(job.spec, name_of(kind), count);
-}
 
 // A camera that would be under the ground somewhere is better refused now.
 void place_all(const Sequence& sequence, Job& job) {
@@ -121,59 +60,6 @@ void tell(const Json& plan, Progress& progress) {
     }
 }
 
-// Of numbered PNGs.
-struct Reel {
-    std::string name;
-    std::vector<std::string> frames;  // files in the output folder
-};
-
-Reel reel_of(const Job& job, const Sequence& sequence) {
-    Reel reel{sequence.name, {}};
-    if (job.request.preview)
-        reel.name += '-' + std::string(name_of(*job.request.preview));
-    for (std::size_t i = 0; i < sequence.shots.size(); ++i)
-        reel.frames.push_back("frames/" + frame_name(reel.name, static_cast<int>(i)) +
-                              ".png");
-    return reel;
-}
-
-void write_sheet(const Job& job, const Reel& reel, const std::string& file) {
-    const std::size_t tiles = std::min(reel.frames.size(), kSheetFrames);
-    std::vector<Tile> sheet;
-    for (std::size_t i = 0; i < tiles; ++i) {
-        const std::string& frame = reel.frames[i * reel.frames.size() / tiles];
-        const Field<Rgba8> picture = read_rgba(open_source(job.folder / frame));
-        Tile tile{std::filesystem::path(frame).stem().string(),
-                  Field<Rgb8>(picture.width(), picture.height())};
-        std::ranges::transform(picture, tile.picture.begin(), [](const Rgba8& pixel) {
-            return Rgb8{pixel[0], pixel[1], pixel[2]};
-        });
-        sheet.push_back(std::move(tile));
-    }
-    write_text(job.folder / file, jpeg_within(contact_sheet(sheet), kSheetBytes));
-}
-
-Made encode(Kind kind, Job& job) {
-    const Sequence sequence = plan_of(kind, job).sequence;
-    const Reel reel = reel_of(job, sequence);
-    const render::Film film{
-        job.folder / "frames", reel.name,      static_cast<int>(reel.frames.size()),
-        sequence.rate,         sequence.still, sequence.hold};
-    Made made;
-    made.outputs.push_back("frames/" + reel.name + ".jpg");
-    write_sheet(job, reel, made.outputs.back());
-    // Small films take less than a core each.
-    Share share(kVideos.size(), job.progress);
-    tbb::parallel_for(std::size_t{0}, kVideos.size(), [&](std::size_t i) {
-        FrameProgress progress(i, 1.0, share);
-        render::encode_video(film, job.folder / "frames" / (reel.name + kVideos[i]),
-                             progress);
-    });
-    for (const char* extension : kVideos)
-        made.outputs.push_back("frames/" + reel.name + extension);
-    return made;
-}
-
 // What the frames of a film are made from; the other sequences' follow from the scene.
 std::string timeline_text(Job& job) try {
     std::string text;
@@ -185,7 +71,7 @@ std::string timeline_text(Job& job) try {
     }
     return text;
 } catch (const Error&) {
-    return "nothing to film";  // check() says why
+    return "nothing to film";  // check_plan() says why
 }
 
 std::string size_text(const Request& request) {
@@ -198,8 +84,9 @@ std::uint64_t key_of(Job& job, Kind kind, const std::string& what) {
     const std::string style =
         job.request.preview ? std::string(name_of(*job.request.preview)) : "povray";
     return hash_text(
-        fmt::format("{} {:016x} {:016x} {} {} {} {} {} {:016x} {}\n{}\n{}\n{}", what,
-                    job.land.key(), job.program, name_of(job.request.quality), style,
+        fmt::format("{} {} {:016x} {:016x} {} {} {} {} {} {:016x} {}\n{}\n{}\n{}", what,
+                    job.request.frames ? job.request.frames->last : -1, job.land.key(),
+                    job.program, name_of(job.request.quality), style,
                     size_text(job.request), job.spec.title, job.spec.name, ocio_hash(),
                     colour.config ? colour.config->hash : 0, job.spec.render_text,
                     job.spec.frames_text, kind == Kind::kFilm ? timeline_text(job) : ""));
@@ -229,41 +116,47 @@ std::vector<Step> steps_of(Kind kind, Job& job) {
                             : std::max(memory::of_emit(job.drawn_cells()),
                                        memory::of_trace(job.drawn_cells(), pixels));
     // Of one look and of another they are other frames.
-    const std::string look =
-        job.request.preview ? " " + std::string(name_of(*job.request.preview)) : "";
-    return {{.name = "plan " + name,
-             .goal = goal,
-             .memory = memory::of_export(job.cells()),
-             .key = [&job, kind] { return key_of(job, kind, "plan"); },
-             .run =
-                 [&job, kind] {
-                     const Plan plan = plan_of(kind, job);
-                     place_all(plan.sequence, job);
-                     return Made{{}, json_of(plan)};
-                 },
-             .gate = [&job](const Json& plan) { tell(plan, job.progress); },
-             .before = [&job, kind] { check(kind, job); }},
-            {.name = "film " + name + look,
-             .goal = goal,
-             .memory = filming,
-             .key = [&job, kind] { return key_of(job, kind, "film"); },
-             .run =
-                 [&job, kind] {
-                     const Sequence sequence = plan_of(kind, job).sequence;
-                     return job.request.preview
-                                ? film_by_embree(job, sequence, *job.request.preview)
-                                : film_by_povray(job, sequence);
-                 },
-             .before =
-                 [&job] {
-                     if (!job.request.preview) render::povray_program();
-                 }},
-            {.name = "video " + name + look,
+    std::string frames = name;
+    if (job.request.preview) frames += fmt::format(" {}", name_of(*job.request.preview));
+    if (const auto& asked = job.request.frames)
+        frames += fmt::format(" {}-{}", asked->first, asked->last);
+    std::vector<Step> steps = {
+        {.name = "plan " + name,
+         .goal = goal,
+         .memory = memory::of_export(job.cells()),
+         .key = [&job, kind] { return key_of(job, kind, "plan"); },
+         .run =
+             [&job, kind] {
+                 const Plan plan = plan_of(kind, job);
+                 place_all(plan.sequence, job);
+                 return Made{{}, json_of(plan)};
+             },
+         .gate = [&job](const Json& plan) { tell(plan, job.progress); },
+         .before = [&job, kind] { check_plan(kind, job); }},
+        {.name = (job.request.trace_only ? "trace " : "film ") + frames,
+         .goal = goal,
+         .memory = filming,
+         .key = [&job, kind] { return key_of(job, kind, "film"); },
+         .run =
+             [&job, kind] {
+                 const Sequence sequence = plan_of(kind, job).sequence;
+                 return job.request.preview
+                            ? film_by_embree(job, sequence, *job.request.preview)
+                            : film_by_povray(job, sequence);
+             },
+         .before =
+             [&job] {
+                 if (!job.request.preview) render::povray_program();
+             }}};
+    if (!job.request.frames)
+        steps.push_back(
+            {.name = "video " + frames,
              .goal = goal,
              .memory = memory::of_delivery(pixels),
              .key = [&job, kind] { return key_of(job, kind, "video"); },
-             .run = [&job, kind] { return encode(kind, job); },
-             .before = [&job] { look_for_ffmpeg(job.progress); }}};
+             .run = [&job, kind] { return encode(plan_of(kind, job).sequence, job); },
+             .before = [&job] { look_for_ffmpeg(job.progress); }});
+    return steps;
 }
 
 }  // namespace
