@@ -22,7 +22,7 @@ void describe(CLI::App& app) {
     app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
     app.set_help_flag("-h,--help", "print this help");
     app.footer(
-        "Also: emit, info, reproduce, schema, validate. Each has a help of its own.\n"
+        "Also: emit, gallery, info, reproduce, schema, validate. Each has its own help.\n"
         "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n");
     app.require_subcommand(0, 1);
     format_plainly(app);
@@ -32,6 +32,7 @@ void add_commands(CLI::App& app, Action& action) {
     add_new(app, action);
     add_render(app, action);
     add_sequences(app, action);
+    add_farm(app, action);
     add_watch(app, action);
     add_synth(app, action);
     add_check(app, action);
@@ -44,7 +45,8 @@ void add_commands(CLI::App& app, Action& action) {
     add_schema(app, action);
     add_info(app, action);
     // The overview fits a screen without what few look for there.
-    for (const char* name : {"emit", "info", "reproduce", "schema", "validate"})
+    for (const char* name :
+         {"emit", "gallery", "info", "reproduce", "schema", "validate"})
         app.get_subcommand(name)->group("");
 }
 

@@ -24,6 +24,7 @@ void add_check(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_emit(CLI::App& app, Action& action);
 void add_sequences(CLI::App& app, Action& action);  // sweep, turntable, film
+void add_farm(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_watch(CLI::App& app, Action& action);

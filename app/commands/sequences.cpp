@@ -14,11 +14,11 @@ void add_sequence(CLI::App& app, Action& action, const Help& help, Goal goal,
     CLI::App* command = add_command(app, help);
     add_scene(*command, *request)->required();
     add_making_options(*command, *request);
+    command->remove_option(command->get_option("--explain"));  // of stills
     add_engine(*command, *request);
     add_size(*command, *request);
     add_frames(*command, *request, count);
-    command->add_flag("--trace-only", request->trace_only,
-                      "with --frames A-B: the light only, beside other runs");
+    command->add_flag("--trace-only", request->trace_only)->group("");  // of farms
     command->callback([request, goal, command, &action] {
         check_engine(*command, *request);
         if (request->trace_only && (!request->frames || request->preview))

@@ -8,7 +8,8 @@
 namespace cydonia {
 
 // The frames of a sequence by POV-Ray, those that are missing: frames/<frame>.exr and
-// .png, and passes where the scene asks for them. Gives all files of the frames asked for.
+// .png, and passes where the scene asks for them. Gives all files of the frames asked
+// for.
 Made film_by_povray(Job& job, const Sequence& sequence);
 
 // Of those frames and of the ones whose light tells the exposure, which are not traced.

@@ -93,3 +93,46 @@ TEST(Ledger, RemovesNothingOutsideTheFolder) {
         EXPECT_TRUE(fs::exists(precious)) << path;
     }
 }
+
+// Processes that share the folder do not lose each other's steps, nor what they recorded
+// before they were killed and begun again; the next that has it alone takes all in.
+TEST(Ledger, StepsRecordedApartComeTogether) {
+    const FinishedStep made;
+    const auto& folder = made.folder;
+    for (const char* file : {"two.png", "three.png", "four.png"})
+        folder.write(file, file);
+    Ledger first(folder.path()), second(folder.path());
+    first.record_apart("first");
+    second.record_apart("second");
+    first.record("b", entry_with(1, {"two.png"}));
+    second.record("c", entry_with(2, {"three.png"}));
+    Ledger again(folder.path());
+    again.record_apart("first");
+    again.record("d", entry_with(3, {"four.png"}));
+
+    Ledger all(folder.path());
+    const auto expect_all = [](const Ledger& ledger) {
+        EXPECT_TRUE(ledger.finished("a", 7));
+        EXPECT_TRUE(ledger.finished("b", 1));
+        EXPECT_TRUE(ledger.finished("c", 2));
+        EXPECT_TRUE(ledger.finished("d", 3));
+    };
+    expect_all(all);
+    all.record("a", entry_with(7, {"one.png"}));
+    EXPECT_TRUE(fs::is_empty(folder / ".cache/steps"));
+    expect_all(Ledger(folder.path()));
+}
+
+TEST(Ledger, OfAStepThatSeveralMadeTheLastCounts) {
+    const FinishedStep made;
+    for (const auto& [name, key] : {std::pair{"z", 1u}, {"a", 2u}}) {
+        Ledger ledger(made.folder.path());
+        ledger.record_apart(name);
+        ledger.record("b", entry_with(key, {"one.png"}));
+        const auto file = made.folder / (".cache/steps/" + std::string(name) + ".json");
+        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(key));
+    }
+    EXPECT_TRUE(Ledger(made.folder.path()).finished("b", 2));
+    made.folder.write(".cache/steps/y.json", "{ damaged");
+    EXPECT_TRUE(Ledger(made.folder.path()).finished("b", 2));
+}

@@ -41,7 +41,7 @@ TEST(Usage, HelpFitsAScreenAndEndsWithAnExample) {
     expect_fits_a_screen(ask({}).out);
     expect_fits_a_screen(ask({"--help"}).out);
     for (const char* command : {"new", "render", "sweep", "turntable", "film", "synth",
-                                "check", "report", "emit", "export", "reproduce",
+                                "check", "report", "emit", "export", "farm", "reproduce",
                                 "gallery", "watch", "validate", "schema", "info"}) {
         const Outcome outcome = ask({command, "--help"});
         EXPECT_EQ(outcome.code, 0);
