@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands/commands.h"
+#include "app/manual.h"
 #include "config/reader/mistakes.h"
 #include "config/reader/scene.h"
 #include "field/data.h"
@@ -130,7 +131,7 @@ void make_new(const NewScene& request) {
                 left_out.end())
             fs::copy_file(entry.path(), request.folder / entry.path().filename());
     if (has_picture) fs::copy_file(request.picture, request.folder / picture);
-    write_text(scene, text);
+    write_text(scene, commented(text, Manual::load()));
     config::Scene::load(scene);  // says what is wrong with the picture, if anything is
     fmt::print(
         "{0} begins as a copy of '{1}'; next:\n"

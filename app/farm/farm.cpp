@@ -199,12 +199,6 @@ Request recorded(const Request& request, const FarmRecord& record,
     return all;
 }
 
-fs::path output_of(const Request& request) {
-    if (!request.output.empty()) return request.output;
-    return fs::path("out") /
-           config::Scene::load(request.scene, request.overrides).at(0.0).name;
-}
-
 std::vector<std::size_t> still_missing(const Request& request, Goal goal,
                                        Console& console) {
     std::vector<std::size_t> frames;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-fs::path output_of(const Request& request, const config::SceneSpec& spec) {
-    return request.output.empty() ? fs::path("out") / spec.name : request.output;
+fs::path folder_for(const Request& request, const std::string& scene) {
+    return request.output.empty() ? fs::path("out") / scene : request.output;
 }
 
 // A look makes frames only; the page shows what was made of the land before, too.
@@ -35,11 +35,17 @@ Job::Job(const Request& asked, Progress& sink)
       scene_file(open_source(asked.scene)),
       scene(config::Scene::load(asked.scene, asked.overrides)),
       spec(at(0.0)),
-      folder(output_of(asked, spec)),
+      folder(folder_for(asked, spec.name)),
       land(land_of(spec, sink)),
       ledger(folder),
       progress(sink),
       program(open_source("/proc/self/exe").hash) {}
+
+fs::path output_of(const Request& request) {
+    if (!request.output.empty()) return request.output;
+    return folder_for(request,
+                      config::Scene::load(request.scene, request.overrides).at(0.0).name);
+}
 
 void Job::resize(render::CameraOptions& camera) const {
     if (!request.size) return;

@@ -52,6 +52,9 @@ struct Job {
     Metadata metadata() const;  // for the headers of what we write
 };
 
+// Where what is asked for goes: -o, else out/<scene>.
+std::filesystem::path output_of(const Request& request);
+
 // A land to be drawn, and the folder of POV-Ray's files of it.
 struct Site {
     const Terrain& terrain;

@@ -1,7 +1,12 @@
 // A scene of one's own from an example that ships.
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <sstream>
+
+#include "app/manual.h"
 #include "config/reader/scene.h"
+#include "field/files.h"
 #include "tests/app/program.h"
 #include "tests/app/scenes.h"
 
@@ -36,6 +41,47 @@ TEST_F(New, EveryExampleCanBeBegunFrom) {
         ++examples;
     }
     EXPECT_GT(examples, 40);
+}
+
+// Every key of every example says what it is, and the scene is the same.
+TEST_F(New, IsCommentedLineByLine) {
+    const std::regex key(R"([a-z_]+ = .*)");
+    for (const char* from : {"text", "grand-canyon", "wooded-valley", "mountain-range"}) {
+        const std::string name = std::string("own-") + from;
+        ASSERT_EQ(ask({name, "--from", from}).code, 0);
+        const fs::path file = folder / name / "scene.toml";
+        std::istringstream lines(read_text(file));
+        std::string before;
+        for (std::string line; std::getline(lines, line); before = line)
+            if (std::regex_match(line, key)) {
+                EXPECT_TRUE(line.find('#') != line.npos || before.starts_with("#"))
+                    << line;
+            }
+        const auto own = config::Scene::load(file).at(0.0);
+        const auto example = config::Scene::load(fs::path(CYDONIA_SOURCE_DIR "/scenes") /
+                                                 from / "scene.toml")
+                                 .at(0.0);
+        EXPECT_EQ(own.render_text, example.render_text);
+        ASSERT_EQ(own.stages.size(), example.stages.size());
+        for (std::size_t i = 0; i < own.stages.size(); ++i)
+            EXPECT_EQ(own.stages[i].text, example.stages[i].text);
+    }
+    const std::string text = read_text(folder / "own-text/scene.toml");
+    EXPECT_NE(text.find("\nblending_bias = 6.0  # b: how strongly the highest of"),
+              text.npos);
+    EXPECT_NE(text.find("apart: least distance between two"), text.npos);
+}
+
+TEST(Commented, KeepsWhatIsThere) {
+    const Manual manual(
+        "## `[a]`\n| `k` | metres | `1` | `x`, `y` | what `k` [is](there) |\n"
+        "## Other\n| `k` | | | | elsewhere |\n"
+        "## `[[terrain.stage]]` with `method = \"m\"`\n| `k` | | | | of m |\n");
+    EXPECT_EQ(commented("k = 1\n[a]\nk = \"#\"\nk = 2 # own\n  k = 3\nz = 1\n", manual),
+              "k = 1\n[a]\nk = \"#\"  # x, y: what k is (metres)\nk = 2 # own\n  k = 3\n"
+              "z = 1\n");
+    EXPECT_EQ(commented("[[terrain.stage]]\nk = 1\nmethod = \"m\"\n", manual),
+              "[[terrain.stage]]\nk = 1  # of m\nmethod = \"m\"\n");
 }
 
 TEST_F(New, APictureTakesThePlaceOfTheExamples) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/app/program.h"
@@ -109,4 +110,23 @@ TEST(Usage, EachFileOfAStageIsNamedOnce) {
     EXPECT_NE(outcome.out.find("  stage: texture, a.tif, package:jacksboro\n"),
               std::string::npos)
         << outcome.out << outcome.err;
+}
+
+// Editors show what a key is.
+TEST(Usage, TheSchemaDescribesTheKeysOfEveryMethod) {
+    const auto schema = nlohmann::json::parse(ask({"schema"}).out);
+    const auto& terrain = schema.at("properties").at("terrain").at("properties");
+    EXPECT_EQ(terrain.at("extent").at("description"),
+              "west to east, south to north (metres)");
+    int bodies = 0;
+    for (const auto& stage : terrain.at("stage").at("items").at("anyOf"))
+        for (const auto& [key, value] : stage.at("properties").items()) {
+            EXPECT_TRUE(value.contains("description")) << key;
+            bodies += key == "blending_bias";
+        }
+    EXPECT_EQ(bodies, 1);
+    const auto& camera =
+        schema.at("properties").at("render").at("properties").at("camera");
+    EXPECT_EQ(camera.at("items").at("properties").at("azimuth").at("description"),
+              "where the camera stands, from the centre; oblique and orbit (degrees)");
 }

@@ -67,6 +67,16 @@ TEST_F(ReportFile, IsMadeOnceAndAgainWhenWhatItShowsHasChanged) {
     EXPECT_EQ(temporary_files(folder.path()), std::vector<std::string>{});
 }
 
+// Of what was made last, unless something else is asked for.
+TEST_F(ReportFile, AsksForWhatWasAskedForLast) {
+    ASSERT_EQ(report({"--force", "--set", "title=Own"}).code, 0);
+    fs::remove(out / "report.html");
+    ASSERT_EQ(run({folder.path()}, {"report", "land.toml", "--force"}).code, 0);
+    EXPECT_NE(page().find("<h1>Own</h1>"), std::string::npos);
+    std::ifstream in(out / "manifest.json");
+    EXPECT_EQ(Json::parse(in).at("quality"), "draft");
+}
+
 TEST_F(ReportFile, IsThereWhenTheCheckFallsShort) {
     const Outcome outcome = report({"--set", "terrain.stage[0].image[0].min_iou=1.0"});
     EXPECT_EQ(outcome.code, 3) << outcome.err;
