@@ -75,8 +75,7 @@ void watch(const Request& asked) {
         config::Scene::load(request.scene, request.overrides).at(0.0);
     if (request.output.empty()) request.output = fs::path("out") / first.name;
     make_folder(request.output);
-    fs::copy_file(data_file("report/watch.html"), request.output / "watch.html",
-                  fs::copy_options::overwrite_existing);
+    write_text(request.output / "watch.html", read_text(data_file("report/watch.html")));
 
     Files files = files_of(first);
     std::vector<std::string> pictures = pictures_of(first, request);
