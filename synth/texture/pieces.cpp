@@ -2,143 +2,147 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 
+#include "field/parallel.h"
 #include "field/random.h"
 
 namespace cydonia::texture {
 namespace {
 
-constexpr int kBorder = 1;  // cells of a sheet that nothing starts from
+constexpr int kMostPieces = 768;
+// Of the difference in height between two pieces, how much is no difference where it is
+// one of all their border: offsets take it away.
+constexpr float kEvened = 0.5f;
 
-// The middles of pieces that share out an exemplar's length among them, half cells.
-std::vector<int> middles(int cells, int side, int cell) {
-    const double length = std::max(1, cells - 2 * kBorder);
-    const int count = std::max(1, int(std::lround(length / side)));
+int orientation_of(const Spot& middle, int orientations) {
+    const std::uint64_t h = hash_of({key("piece"), std::uint64_t(middle.exemplar),
+                                     std::uint64_t(middle.x), std::uint64_t(middle.y)});
+    const int n = int(h % std::uint64_t(orientations));
+    return orientations == 2 ? 2 * n : n;
+}
+
+// Middles of pieces that lie in `cells` cells, no more than `step` from one to the next;
+// half cells of that level.
+std::vector<int> middles_in(int cells, int side, int border, int step) {
+    const int room = std::max(0, cells - 2 * border - side);
+    const int steps = (room + step - 1) / step;
     std::vector<int> at;
-    for (int i = 0; i < count; ++i)
-        at.push_back(int((0.5 * (cells - length) + (i + 0.5) * length / count) * cell));
+    for (int i = 0; i <= steps; ++i)
+        at.push_back(cells - room + (steps > 0 ? 2 * room * i / steps : room));
     return at;
 }
 
-// Sums over a piece's land at one level.
-struct Sums {
-    int cells = 0, land = 0;
-    double heights = 0.0, steps = 0.0;
+std::vector<Spot> spread(const Character& character, int side, int border, int step,
+                         int orientations) {
+    const int half = character.half();
+    std::vector<Spot> all, whole;  // whole: at least half of it is land
+    for (int e = 0; e < character.exemplars(); ++e) {
+        const Sheet& sheet = character.sheet(e);
+        for (const int y : middles_in(sheet.height, side, border, step))
+            for (const int x : middles_in(sheet.width, side, border, step)) {
+                Spot middle{e, 0, x * half, y * half};
+                int land = 0;
+                for (int j = -side; j < side; j += 2)
+                    for (int i = -side; i < side; i += 2)
+                        land += character.is_land(
+                            character.index(middle.moved({i * half, j * half})));
+                middle.orientation = orientation_of(middle, orientations);
+                all.push_back(middle);
+                if (2 * land >= side * side) whole.push_back(middle);
+            }
+    }
+    return whole.empty() ? all : whole;
+}
+
+// What pieces are like along one of their edges, a column each: heights, then roughness.
+// Samples are every second cell along the edge and the four across it.
+struct Strips {
+    Eigen::MatrixXf heights, roughnesses;
 };
-
-Sums sums_of(const Level& level, int at, const Spot& middle, int side) {
-    const Sheet& sheet = level.sheets[std::size_t(middle.exemplar)];
-    const int x0 = (middle.x >> (at + 1)) - side / 2;
-    const int y0 = (middle.y >> (at + 1)) - side / 2;
-    Sums sums{.cells = side * side};
-    for (int y = std::max(0, y0); y < std::min(sheet.height, y0 + side); ++y)
-        for (int x = std::max(0, x0); x < std::min(sheet.width, x0 + side); ++x) {
-            const std::size_t i = sheet.index(x, y);
-            if (level.types[i] == kNowhere) continue;
-            const auto step = [&](std::size_t j) {
-                return std::abs(double(level.heights[j]) - level.heights[i]);
-            };
-            ++sums.land;
-            sums.heights += level.heights[i];
-            sums.steps += step(i + 1) + step(i + std::size_t(sheet.stride));
+Strips strips_of(const std::vector<Spot>& middles, const Character& character, int side,
+                 bool upright, int edge) {
+    const int half = character.half(), along = side / 2 + 2;
+    const auto count = Eigen::Index(middles.size());
+    Strips strips{Eigen::MatrixXf(4 * along, count), Eigen::MatrixXf(4 * along, count)};
+    parallel_for(int(count), 16, [&](int p) {
+        const Spot& middle = middles[std::size_t(p)];
+        for (int sample = 0; sample < 4 * along; ++sample) {
+            // Half cells from the piece's middle to the sample's.
+            const int u = edge * side + 2 * (sample % 4) - 3;
+            const int v = 4 * (sample / 4) - side - 3;
+            const Step s = kTurns(middle.orientation, (upright ? u : v) * half,
+                                  (upright ? v : u) * half);
+            const std::size_t at = character.index(middle.moved(s));
+            strips.heights(sample, p) = character.height(at);
+            strips.roughnesses(sample, p) = character.roughness(at);
         }
-    return sums;
+    });
+    return strips;
 }
 
-void standardise(std::vector<Piece>& pieces, double Piece::*what) {
-    const double count = static_cast<double>(pieces.size());
-    double mean = 0.0, variance = 0.0;
-    for (const Piece& piece : pieces) mean += piece.*what / count;
-    for (const Piece& piece : pieces)
-        variance += (piece.*what - mean) * (piece.*what - mean) / count;
-    for (Piece& piece : pieces)
-        piece.*what = variance > 0.0 ? (piece.*what - mean) / std::sqrt(variance) : 0.0;
+// Mean squared differences between all of the one and all of the other:
+// |a - b|^2 = |a|^2 + |b|^2 - 2 a.b.
+Eigen::MatrixXf differences(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
+    Eigen::MatrixXf result = -2.0f * (a.transpose() * b);
+    result.colwise() += a.colwise().squaredNorm().transpose();
+    result.rowwise() += b.colwise().squaredNorm();
+    return result / float(a.rows());
 }
 
-int wrapped(int block) { return block & (kArrangement - 1); }
+Eigen::MatrixXf costs_between(const Strips& first, const Strips& second) {
+    Eigen::MatrixXf costs = differences(first.heights, second.heights) +
+                            differences(first.roughnesses, second.roughnesses);
+    const Eigen::VectorXf a = first.heights.colwise().mean(),
+                          b = second.heights.colwise().mean();
+    for (Eigen::Index j = 0; j < costs.cols(); ++j)
+        costs.col(j).array() -= kEvened * (a.array() - b[j]).square();
+    return costs;
+}
+
+// Whether `b` is what the exemplar has a step from `a`, half a piece's width or less off.
+bool follows(const Spot& a, const Spot& b, int width, bool east) {
+    const Step s = kTurns(a.orientation, east ? width : 0, east ? 0 : width);
+    return a.exemplar == b.exemplar && a.orientation == b.orientation &&
+           2 * std::max(std::abs(b.x - a.x - s.x), std::abs(b.y - a.y - s.y)) < width;
+}
+
+float same_land(const Spot& a, const Spot& b, int width) {
+    if (a.exemplar != b.exemplar) return 0.0f;
+    const auto both = [&](int d) {
+        return float(std::max(0, width - std::abs(d))) / float(width);
+    };
+    return both(a.x - b.x) * both(a.y - b.y);
+}
 
 }  // namespace
 
-std::vector<Piece> pieces_of(const Database& database, int side) {
-    // What a piece is like shows on any level that is not coarse.
-    const int top = int(database.levels.size()) - 1, fine = std::min(top, 2);
-    const Level &coarse = database.levels[std::size_t(top)],
-                &detailed = database.levels[std::size_t(fine)];
-    const int cell = 2 << top;
-    std::vector<Piece> all, whole;
-    for (int e = 0; e < int(coarse.sheets.size()); ++e) {
-        const Sheet& sheet = coarse.sheets[std::size_t(e)];
-        for (const int y : middles(sheet.height, side, cell))
-            for (const int x : middles(sheet.width, side, cell)) {
-                const Spot middle{e, 0, x, y};
-                const Sums sums = sums_of(detailed, fine, middle, side << (top - fine));
-                const double land = std::max(1, sums.land);
-                all.push_back({middle, sums.heights / land,
-                               std::log(sums.steps / land + database.unit)});
-                if (2 * sums.land >= sums.cells) whole.push_back(all.back());
-            }
+Pieces pieces_of(const Character& character, int side, int border, int orientations) {
+    Pieces pieces;
+    int step = std::max(1, side / 8);
+    pieces.middles = spread(character, side, border, step, orientations);
+    while (int(pieces.middles.size()) > kMostPieces && step < 4 * side) {
+        step += std::max(1, step / 4);
+        pieces.middles = spread(character, side, border, step, orientations);
     }
-    std::vector<Piece>& pieces = whole.empty() ? all : whole;
-    standardise(pieces, &Piece::height);
-    standardise(pieces, &Piece::roughness);
-    return pieces;
-}
-
-Field<int> arranged(const std::vector<Piece>& pieces, std::uint64_t seed) {
-    constexpr int kFree = -1;
-    constexpr int kAround = 3;  // blocks within which a piece is to differ
-    constexpr int kMostCompared = 16;
-    const int count = int(pieces.size());
-    const int reach =
-        std::min(kArrangement / 2 - 1, 1 + int(std::ceil(std::sqrt(double(count)))));
-    Field<int> blocks(kArrangement, kArrangement, kFree);
-
-    std::vector<int> nearest(static_cast<std::size_t>(count));
-    const auto find_nearest = [&](int x, int y) {
-        std::ranges::fill(nearest, std::numeric_limits<int>::max());
-        for (int dy = -reach; dy <= reach; ++dy)
-            for (int dx = -reach; dx <= reach; ++dx) {
-                const int there = blocks(wrapped(x + dx), wrapped(y + dy));
-                if (there == kFree) continue;
-                int& least = nearest[static_cast<std::size_t>(there)];
-                least = std::min(least, dx * dx + dy * dy);
-            }
+    const auto strips = [&](bool upright, int edge) {
+        return strips_of(pieces.middles, character, side, upright, edge);
     };
-    const auto likeness = [&](const Piece& piece, int x, int y) {
-        double sum = 0.0;
-        for (int dy = -kAround; dy <= kAround; ++dy)
-            for (int dx = -kAround; dx <= kAround; ++dx) {
-                const int there = blocks(wrapped(x + dx), wrapped(y + dy));
-                if (there == kFree) continue;
-                const Piece& other = pieces[static_cast<std::size_t>(there)];
-                const double height = piece.height - other.height;
-                const double roughness = piece.roughness - other.roughness;
-                sum += std::exp(-2.0 * (height * height + roughness * roughness)) /
-                       (dx * dx + dy * dy);
-            }
-        return sum;
-    };
-
-    for (int y = 0; y < kArrangement; ++y)
-        for (int x = 0; x < kArrangement; ++x) {
-            find_nearest(x, y);
-            const int furthest = *std::ranges::max_element(nearest);
-            const std::uint64_t h = hash_of({seed, std::uint64_t(x), std::uint64_t(y)});
-            const int first = int(h % std::uint64_t(count));
-            double least = std::numeric_limits<double>::max();
-            int chosen = 0;
-            for (int k = 0, compared = 0; k < count && compared < kMostCompared; ++k) {
-                const int i = (first + k) % count;
-                if (nearest[static_cast<std::size_t>(i)] < furthest) continue;
-                ++compared;
-                const double like = likeness(pieces[static_cast<std::size_t>(i)], x, y);
-                if (like < least) least = like, chosen = i;
-            }
-            blocks(x, y) = chosen;
+    pieces.west = costs_between(strips(true, 1), strips(true, -1));
+    pieces.north = costs_between(strips(false, 1), strips(false, -1));
+    const auto count = Eigen::Index(pieces.middles.size());
+    pieces.same.resize(count, count);
+    const int width = 2 * side * character.half();
+    parallel_for(int(count), 16, [&](int j) {
+        const Spot& b = pieces.middles[std::size_t(j)];
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const Spot& a = pieces.middles[std::size_t(i)];
+            // Seams show more of a piece than its block.
+            pieces.same(i, j) = same_land(a, b, width * 4 / 3);
+            if (follows(a, b, width, true)) pieces.west(i, j) += kFollowing;
+            if (follows(a, b, width, false)) pieces.north(i, j) += kFollowing;
         }
-    return blocks;
+    });
+    return pieces;
 }
 
 }  // namespace cydonia::texture

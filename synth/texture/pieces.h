@@ -1,30 +1,26 @@
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
 #include <vector>
 
-#include "field/field.h"
-#include "synth/texture/places.h"
+#include "synth/texture/character.h"
 
 namespace cydonia::texture {
 
-// Exemplar land that a synthesis starts from.
-struct Piece {
-    Spot middle;
-    // What tells it from the others, in standard deviations of all: mean height, and the
-    // logarithm of the mean slope.
-    double height = 0.0, roughness = 0.0;
+// Square pieces of the exemplars' land, which overlap, and what it costs to lay them
+// beside each other. Matrices, piece by piece.
+struct Pieces {
+    std::vector<Spot> middles;
+    // How unlike they are where they meet, the one west or north of the other: squared
+    // standard deviations. kFollowing more where that is much as in the exemplar.
+    Eigen::MatrixXf west, north;
+    Eigen::MatrixXf same;  // share of the one's land that is the other's too
 };
+inline constexpr float kFollowing = 100.0f;
 
-// The exemplars cut into pieces of `side` cells of the coarsest level, each place in one.
-std::vector<Piece> pieces_of(const Database& database, int side);
-
-// Blocks each way after which an arrangement comes again.
-inline constexpr int kArrangement = 32;
-
-// Which piece each block of the plane is. As far as possible from where the same piece
-// lies, so that a feature comes into view twice only when there is no other; then unlike
-// what lies around it, so that every part of the land is a fair sample of the exemplars.
-Field<int> arranged(const std::vector<Piece>& pieces, std::uint64_t seed);
+// Pieces of `side` cells of a level, as many as there is time to compare. `character` is
+// of that level. Nothing is taken from within `border` cells of an exemplar's edge. Each
+// is turned or mirrored in one of the orientations that are allowed.
+Pieces pieces_of(const Character& character, int side, int border, int orientations);
 
 }  // namespace cydonia::texture

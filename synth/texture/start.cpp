@@ -1,7 +1,7 @@
 #include "synth/texture/start.h"
 
 #include "field/random.h"
-#include "synth/texture/pieces.h"
+#include "synth/texture/layout.h"
 
 namespace cydonia::texture {
 namespace {
@@ -9,6 +9,9 @@ namespace {
 // Cells of the coarsest level that start as one piece of land, each way: smaller pieces
 // lose landforms, larger ones are copies (bench/realism.sh).
 constexpr int kBlock = 4;
+// Pieces beside each other in the list are much the same land: a prime beyond their
+// number goes through all of them.
+constexpr int kStride = 1009;
 
 bool is_of(TypeSet types, const Level& level, const Spot& spot, int at) {
     if (types == kAnyType) return true;
@@ -20,51 +23,48 @@ bool is_of(TypeSet types, const Level& level, const Spot& spot, int at) {
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
-int orientation_of(const Controls& controls, int bx, int by) {
-    const std::uint64_t h =
-        hash_of({controls.seed, key("start"), key("orientation"),
-                 std::uint64_t(std::int64_t{bx}), std::uint64_t(std::int64_t{by})});
-    return controls.orientations == 2 ? int(h % 2) * 2
-                                      : int(h % std::uint64_t(controls.orientations));
-}
-
 }  // namespace
 
-Synthesis started(const Database& database, const Controls& controls,
+Layout start_of(const Database& database, const Controls& controls) {
+    return laid_out(database, kBlock, controls.orientations,
+                    hash_of({controls.seed, key("start"), key("layout")}));
+}
+
+Synthesis started(const Database& database, const Layout& layout,
                   const Field<TypeSet>& types, const Window& window) {
     const int top = window.level;
     const Level& level = database.levels[std::size_t(top)];
-    const int cell = 2 << top;
-    const std::vector<Piece> pieces = pieces_of(database, kBlock);
-    const Field<int> blocks =
-        arranged(pieces, hash_of({controls.seed, key("start"), key("pieces")}));
-
+    const int count = int(layout.pieces.size());
     Synthesis land{window, {window.width, window.height}, {window.width, window.height}};
-    for (int row = 0; row < window.height; ++row) {
+    for (int row = 0; row < window.height; ++row)
         for (int column = 0; column < window.width; ++column) {
             const int x = window.x + column, y = window.y + row;
             const int bx = floor_div(x, kBlock), by = floor_div(y, kBlock);
-            const int orientation = orientation_of(controls, bx, by);
-            const auto from_middle = [&](int at, int block) {
-                return int((at - block * kBlock + 0.5 - 0.5 * kBlock) * cell);
-            };
-            const Step s = kTurns(orientation, from_middle(x, bx), from_middle(y, by));
             const auto land_of = [&](int piece) {
-                Spot spot = pieces[static_cast<std::size_t>(piece)].middle;
-                spot.orientation = orientation;
-                return kept_inside(spot.moved(s),
-                                   level.sheets[std::size_t(spot.exemplar)], top);
+                const Spot spot = layout.land(piece, bx, by, top, x, y);
+                return kept_inside(spot, level.sheets[std::size_t(spot.exemplar)], top);
             };
-            const int count = int(pieces.size());
-            const int laid = blocks(bx & (kArrangement - 1), by & (kArrangement - 1));
+            const int laid = layout.piece(bx, by);
             Spot spot = land_of(laid);
             const TypeSet asked = types.empty() ? kAnyType : types(column, row);
             for (int k = 1; k < count && !is_of(asked, level, spot, top); ++k)
-                spot = land_of((laid + k) % count);
+                spot = land_of(int((laid + std::int64_t{k} * kStride) % count));
             land.places(column, row) = place_of(spot);
         }
-    }
     return land;
+}
+
+void cut_out(Synthesis& land, const Database& database, const Layout& layout,
+             const Field<TypeSet>& types) {
+    const Window& window = land.window;
+    const Level& level = database.levels[std::size_t(window.level)];
+    for (int row = 0; row < window.height; ++row)
+        for (int column = 0; column < window.width; ++column) {
+            if (!types.empty() && types(column, row) != kAnyType) continue;
+            const Spot spot = layout.at(window.x + column, window.y + row);
+            land.places(column, row) = place_of(kept_inside(
+                spot, level.sheets[std::size_t(spot.exemplar)], window.level));
+        }
 }
 
 }  // namespace cydonia::texture

@@ -91,7 +91,8 @@ Synthesis synthesised(const Database& database, const Controls& controls,
                    ? guidance.types(worked[std::size_t(level)])
                    : Field<TypeSet>();
     };
-    Synthesis land = started(database, controls, types_at(top), worked[std::size_t(top)]);
+    const Layout layout = start_of(database, controls);
+    Synthesis land = started(database, layout, types_at(top), worked[std::size_t(top)]);
     if (record) record->assign(std::size_t(top) + 1, {});
     double done = 0.0;
     for (int level = top; level >= controls.finest; --level) {
@@ -99,6 +100,7 @@ Synthesis synthesised(const Database& database, const Controls& controls,
         if (level < top) land = upsampled(land, database, controls, w);
         const Asked asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
                           types_at(level), guidance.types != nullptr};
+        if (level == layout.level) cut_out(land, database, layout, asked.types);
         const auto note = [&] {
             if (record) (*record)[std::size_t(level)].push_back(land);
         };

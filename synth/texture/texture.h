@@ -10,7 +10,7 @@ namespace cydonia::texture {
 // Throws bad_request.
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
-inline constexpr int kVersion = 3;  // raised when the same options give other heights
+inline constexpr int kVersion = 4;  // raised when the same options give other heights
 
 // The samples of a terrain.
 struct Extent {
