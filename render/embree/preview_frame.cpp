@@ -138,7 +138,7 @@ class PreviewLand::Picture {
             for (int x = 0; x < frame.width(); ++x) {
                 const SeenPoint& p = points(x, y);
                 const Ray ray = rays_.through(x + 0.5, y + 0.5);
-                frame(x, y) = natural(p, ray, shadow(x, y) > 0.0f);
+                frame(x, y) = natural(p, ray, 1.0 - shadow(x, y));
             }
         });
         return frame;
@@ -186,10 +186,11 @@ class PreviewLand::Picture {
         return p.surface == Surface::kThing ? kAmongLeaves * seen : seen;
     }
 
-    Rgb natural(const SeenPoint& p, const Ray& ray, bool shadowed) const {
+    // `sunlight`: the share that reaches it.
+    Rgb natural(const SeenPoint& p, const Ray& ray, double sunlight) const {
         if (p.surface == Surface::kSky) return sky(ray.direction);  // it holds its air
         const Vec3 normal = vec(p.normal);
-        const double lit = shadowed ? 0.0 : std::max(0.0, dot(normal, to_sun_));
+        const double lit = sunlight * std::max(0.0, dot(normal, to_sun_));
         const Rgb falling =
             lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
         Rgb colour = ground(p);

@@ -16,6 +16,7 @@
 #include "render/pov/things.h"
 #include "render/pov/water.h"
 #include "render/shadow/soft.h"
+#include "render/sky/clouds.h"
 
 namespace cydonia::render {
 namespace {
@@ -88,6 +89,8 @@ struct View::Scene {
     Lookout lookout(const SeenPoint& point) const;
     // Those from where the sun is hidden, of those that are asked for.
     Which hidden(const Lookouts& from, const Vec3& to_sun, const Which& asked) const;
+    void cloud(const Field<SeenPoint>& points, const Sun& sun,
+               Field<float>& shadow) const;
 
     Mesh mesh;
     int width, height;
@@ -98,6 +101,8 @@ struct View::Scene {
     std::optional<embree::Scene> around, water, water_around;
     std::optional<Copies> things;
     bool has_things;  // of the scene; none may be in view
+    SkyOptions sky;
+    bool holds_image;
     std::vector<Plane> planes;
     float lift = 0.0f;
 };
@@ -108,7 +113,9 @@ View::Scene::Scene(const Terrain& given, const Scenery& scenery)
       height(given.heights.height()),
       device(rtcNewDevice(nullptr)),
       land(embree::new_scene(device)),
-      has_things(!scenery.kinds.empty()) {
+      has_things(!scenery.kinds.empty()),
+      sky(scenery.sky),
+      holds_image(scenery.holds_image) {
     const Terrain& terrain = mesh.terrain();
     const auto [low, high] = std::ranges::minmax(terrain.heights);
     space = {{0.5 * terrain.width(), 0.5 * terrain.depth(), 0.5 * (double(low) + high)},
@@ -310,9 +317,25 @@ View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
     return result;
 }
 
+void View::Scene::cloud(const Field<SeenPoint>& points, const Sun& sun,
+                        Field<float>& shadow) const {
+    if (!throw_shadows(sky, sun, holds_image)) return;
+    const CloudLayer clouds(sky.clouds, sun);
+    const Vec3 middle{space.middle.x, space.middle.y,
+                      space.middle.z + space.unit * double(foot)};
+    parallel_for(points.height(), 4, [&](int y) {
+        for (int x = 0; x < points.width(); ++x) {
+            if (points(x, y).surface == Surface::kSky || shadow(x, y) >= 1.0f) continue;
+            const double through = clouds.sunlight_through(vec(points(x, y).at) - middle);
+            shadow(x, y) = static_cast<float>(1.0 - (1.0 - shadow(x, y)) * through);
+        }
+    });
+}
+
 Scenery scenery_of(const Shot& shot, const Terrain& terrain) {
-    return {shot.options.water, shot.around, shot.options.things,
-            pov::things_of(shot, terrain)};
+    return {shot.options.water,  shot.around,
+            shot.options.things, pov::things_of(shot, terrain),
+            shot.options.sky,    !terrain.shadows.empty()};
 }
 
 View::View(const Terrain& terrain, const Scenery& scenery) {
@@ -417,6 +440,7 @@ Field<float> View::shadow(const Field<SeenPoint>& points, const Sun& sun,
                 put(count(disc), disc.size());
         }
     });
+    scene.cloud(points, sun, shadow);
     return shadow;
 }
 

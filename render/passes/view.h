@@ -40,6 +40,8 @@ struct Scenery {
     Around around = Around::kLevel;
     std::vector<ThingOptions> kinds = {};
     std::vector<std::vector<Thing>> things = {};  // of each kind
+    SkyOptions sky = {};
+    bool holds_image = false;  // the land, a shadow image
 };
 Scenery scenery_of(const Shot& shot, const Terrain& terrain);
 
@@ -56,8 +58,8 @@ class View {
     // A value a pixel. `smooth`: normals between the mesh's corners, as perspective
     // frames are shaded; else those of its triangles.
     Field<SeenPoint> seen(const CameraRays& rays, bool smooth) const;
-    // How much of the sun is hidden from each point by the land, by things, or because
-    // the point is turned from it: 0 to 1, in the sky 0. The sun is its disc of 0.53
+    // How much of the sun is hidden from each point by the land, by things, by clouds, or
+    // because the point is turned from it: 0 to 1, in the sky 0. The sun is its disc of 0.53
     // degrees, or a point. The land's copies around it throw no shadow, as in the .pov.
     enum class SunAs { kDisc, kPoint };
     Field<float> shadow(const Field<SeenPoint>& points, const Sun& sun, SunAs as) const;

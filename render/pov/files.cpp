@@ -13,6 +13,7 @@
 #include "render/pov/pieces.h"
 #include "render/pov/scene.h"
 #include "render/pov/things.h"
+#include "render/sky/clouds.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
@@ -23,9 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr int kLongestGround = 4096;  // pixels a side
 constexpr int kDomeHeight = 256;
-constexpr int kShade = 2048;                   // pixels a side
-constexpr double kLowestShade = radians(3.0);  // of the sun: lower, they are endless
-constexpr int kPacked = 1;                     // POV-Ray reads it once
+constexpr int kShade = 2048;  // pixels a side
+constexpr int kPacked = 1;    // POV-Ray reads it once
 
 // Of linear light in 65536 steps, the finest a twentieth of a level.
 const std::vector<std::uint8_t>& srgb_levels() {
@@ -106,10 +106,7 @@ Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
 // Above all land, as wide as what is near it, and as far toward the sun as its shadows
 // reach.
 std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terrain) {
-    const SkyOptions& sky = shot.options.sky;
-    const bool wanted = sky.cloud_shadows.value_or(terrain.shadows.empty());
-    if (!wanted || !sky.air || sky.clouds != Clouds::kBroken ||
-        shot.sun.elevation < kLowestShade)
+    if (!throw_shadows(shot.options.sky, shot.sun, !terrain.shadows.empty()))
         return std::nullopt;
     const auto [low, high] = std::ranges::minmax(terrain.heights);
     const double up = static_cast<double>(high) - low + 200.0;

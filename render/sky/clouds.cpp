@@ -24,6 +24,7 @@ constexpr double kHeapBase = 1800.0, kHeapHeight = 1300.0, kHeapExtinction = 0.0
 constexpr double kIceBase = 8000.0, kIceDepth = 0.5;
 constexpr double kShade = 0.15;   // of the extinction, what takes light from the land
 constexpr double kForward = 0.8;  // of Henyey and Greenstein
+constexpr double kLowestSun = radians(3.0);  // that throws shadows
 
 double henyey_greenstein(double cosine, double g) {
     return (1.0 - g * g) / (4.0 * pi * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
@@ -63,6 +64,26 @@ float streak(double x, double y) {
                               smoothstep(-0.3, 0.8, octaves(along, across, 7, 83)));
 }
 
+template <class Thickness>
+Field<float> map_of(const Thickness& thickness) {
+    Field<float> map(kMap, kMap);
+    parallel_for(kMap, 8, [&](int j) {
+        const double y = kReach * (2.0 * j / (kMap - 1) - 1.0);
+        for (int i = 0; i < kMap; ++i)
+            map(i, j) = thickness(kReach * (2.0 * i / (kMap - 1) - 1.0), y);
+    });
+    return map;
+}
+// The same under every sun, and most of the work of a frame's sky: drawn once.
+const Field<float>& heaps() {
+    static const Field<float> map = map_of(heap);
+    return map;
+}
+const Field<float>& streaks() {
+    static const Field<float> map = map_of(streak);
+    return map;
+}
+
 double mirrored(double metres) {
     const double at = std::fmod(std::abs(metres + kReach), 4.0 * kReach);
     return std::min(at, 4.0 * kReach - at) / (2.0 * kReach) * (kMap - 1);
@@ -77,15 +98,9 @@ double distance_to(double sine, double up) {
 }  // namespace
 
 CloudLayer::CloudLayer(Clouds kind, const Sun& sun)
-    : kind_(kind), sun_(direction_to(sun)), map_(kMap, kMap) {
-    parallel_for(kMap, 8, [&](int j) {
-        const double y = kReach * (2.0 * j / (kMap - 1) - 1.0);
-        for (int i = 0; i < kMap; ++i) {
-            const double x = kReach * (2.0 * i / (kMap - 1) - 1.0);
-            map_(i, j) = kind == Clouds::kCirrus ? streak(x, y) : heap(x, y);
-        }
-    });
-}
+    : kind_(kind),
+      sun_(direction_to(sun)),
+      map_(kind == Clouds::kCirrus ? streaks() : heaps()) {}
 
 double CloudLayer::thickness(double east, double north) const {
     const double x = mirrored(east), y = mirrored(north);
@@ -152,6 +167,11 @@ CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) 
         seen.through *= passed;
     }
     return seen;
+}
+
+bool throw_shadows(const SkyOptions& sky, const Sun& sun, bool holds_image) {
+    return sky.air && sky.clouds == Clouds::kBroken &&
+           sky.cloud_shadows.value_or(!holds_image) && sun.elevation >= kLowestSun;
 }
 
 }  // namespace cydonia::render

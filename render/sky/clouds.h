@@ -30,7 +30,11 @@ class CloudLayer {
 
     Clouds kind_;
     Vec3 sun_;
-    Field<float> map_;
+    const Field<float>& map_;
 };
+
+// Whether clouds throw shadows on the land: broken ones, where it is asked for, else where
+// the land holds no shadow image; not from a sun so low that they would be endless.
+bool throw_shadows(const SkyOptions& sky, const Sun& sun, bool holds_image);
 
 }  // namespace cydonia::render

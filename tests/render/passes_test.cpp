@@ -14,6 +14,7 @@
 #include "render/frames/povray.h"
 #include "render/pov/pieces.h"
 #include "render/shadow/caster.h"
+#include "render/sky/sky.h"
 #include "tests/field/temporary_folder.h"
 #include "tests/render/no_povray.h"
 #include "tests/render/shadow_land.h"
@@ -213,6 +214,38 @@ TEST(Passes, ShadowIsTheCasters) {
         for (int x = 2 + (y + 1) % 2; x + 2 < cast.width(); x += 2)
             differ += seen(x, y) != float(cast(x, y));
     EXPECT_LT(differ, static_cast<int>(cast.size() / 1000));
+}
+
+// Level land seen from above is shaded as the sheet is that the .pov has.
+TEST(Passes, CloudsShadeTheLandAsInTheFrame) {
+    Terrain terrain = flat();
+    terrain.spacing = 200.0;
+    Camera camera = overhead();
+    camera.eye = {0.5 * terrain.width(), 0.5 * terrain.width(), 5000.0};
+    camera.target = {0.5 * terrain.width(), 0.5 * terrain.width(), 0.0};
+    camera.frame_width = terrain.width();
+    camera.width = camera.height = kSide;
+    const Sun sun = sun_at(120.0, 40.0);
+    const auto shadow = [&](const Scenery& scenery, const Sun& of) {
+        const View view(terrain, scenery);
+        return view.shadow(view.seen(CameraRays(camera), false), of, View::SunAs::kPoint);
+    };
+    Scenery scenery;
+    scenery.sky.clouds = Clouds::kBroken;
+    const Field<float> shaded = shadow(scenery, sun);
+    const Field<float> sheet = cloud_shadows(sun, {}, terrain.width(), kSide);
+    EXPECT_GT(*std::ranges::max_element(shaded), 0.5f);
+    for (std::size_t i = 0; i < sheet.size(); ++i)
+        ASSERT_NEAR(shaded[i], 1.0f - sheet[i], 0.01f);
+
+    const auto none = [](const Field<float>& field) {
+        return std::ranges::all_of(field, [](float v) { return v == 0.0f; });
+    };
+    EXPECT_TRUE(none(shadow(scenery, sun_at(120.0, 2.0))));
+    scenery.holds_image = true;
+    EXPECT_TRUE(none(shadow(scenery, sun)));
+    scenery.sky.cloud_shadows = true;
+    EXPECT_FALSE(none(shadow(scenery, sun)));
 }
 
 TEST(Passes, PlaneHasItsSlopeAndNormal) {
