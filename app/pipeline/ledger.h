@@ -16,10 +16,10 @@ using Json = nlohmann::ordered_json;
 
 // What a finished step left behind.
 struct Entry {
-    std::uint64_t key = 0;             // a hash of everything that went into the step
+    std::uint64_t key = 0;  // a hash of everything that went into the step
     std::vector<std::string> outputs = {};  // relative to the output folder
     std::vector<std::uint64_t> sizes = {};  // of the outputs, bytes
-    Json result = Json::object();      // what the step learned
+    Json result = Json::object();           // what the step learned
     double seconds = 0.0;
     std::uint64_t peak_memory = 0;           // bytes
     std::vector<std::uint64_t> hashes = {};  // of the outputs' bytes

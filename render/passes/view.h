@@ -59,8 +59,9 @@ class View {
     // frames are shaded; else those of its triangles.
     Field<SeenPoint> seen(const CameraRays& rays, bool smooth) const;
     // How much of the sun is hidden from each point by the land, by things, by clouds, or
-    // because the point is turned from it: 0 to 1, in the sky 0. The sun is its disc of 0.53
-    // degrees, or a point. The land's copies around it throw no shadow, as in the .pov.
+    // because the point is turned from it: 0 to 1, in the sky 0. The sun is its disc of
+    // 0.53 degrees, or a point. The land's copies around it throw no shadow, as in the
+    // .pov.
     enum class SunAs { kDisc, kPoint };
     Field<float> shadow(const Field<SeenPoint>& points, const Sun& sun, SunAs as) const;
 

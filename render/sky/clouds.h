@@ -33,8 +33,8 @@ class CloudLayer {
     const Field<float>& map_;
 };
 
-// Whether clouds throw shadows on the land: broken ones, where it is asked for, else where
-// the land holds no shadow image; not from a sun so low that they would be endless.
+// Whether clouds throw shadows on the land: broken ones, where it is asked for, else
+// where the land holds no shadow image; not from a sun so low that they would be endless.
 bool throw_shadows(const SkyOptions& sky, const Sun& sun, bool holds_image);
 
 }  // namespace cydonia::render
