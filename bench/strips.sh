@@ -24,7 +24,7 @@ drawing() {
 # strip NAME SCENE TILE...: a tile is "KEY=VALUE|KEY=VALUE", keys of the last stage; "" is
 # the scene as it is.
 strip() {
-    local name=$1 scene=$2 tiles=() keys=() set=() stage
+    local name=$1 scene=$2 out=$tmp/out-$2 tiles=() keys=() set=() stage
     shift 2
     [[ ${#wanted[@]} -eq 0 || " ${wanted[*]} " == *" $name "* ]] || return 0
     stage=$(($(grep -c '^\[\[terrain.stage\]\]' "$scene.toml") - 1))
@@ -32,10 +32,10 @@ strip() {
         IFS='|' read -ra keys <<< "$tile"
         set=()
         for key in "${keys[@]}"; do set+=(--set "terrain.stage[$stage].$key"); done
-        "$cydonia" synth "$scene.toml" ${set[@]+"${set[@]}"} -o "$tmp/out" --quiet
-        finished "$name" "$tmp/out"
+        "$cydonia" synth "$scene.toml" ${set[@]+"${set[@]}"} -o "$out" --quiet
+        finished "$name" "$out"
         tiles+=("$tmp/$name-${#tiles[@]}.png")
-        mv "$tmp/out/preview.png" "${tiles[-1]}"
+        mv "$out/preview.png" "${tiles[-1]}"
     done
     for quality in 80 70 60 50 40; do # the first that stays below 30 KB
         oiiotool "${tiles[@]}" --mosaic:pad=0 "$#x1" --compression "jpeg:$quality" \

@@ -100,7 +100,10 @@ Synthesis synthesised(const Database& database, const Controls& controls,
         if (level < top) land = upsampled(land, database, controls, w);
         const Asked asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
                           types_at(level), guidance.types != nullptr};
-        if (level == layout.level) cut_out(land, database, layout, asked.types);
+        // Where types are asked for no more, no cell could say that it is of one.
+        const bool sorted = asked.typed && is_snapped(level, controls);
+        if (level == layout.level && !sorted)
+            cut_out(land, database, layout, asked.types);
         const auto note = [&] {
             if (record) (*record)[std::size_t(level)].push_back(land);
         };
