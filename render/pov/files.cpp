@@ -147,29 +147,30 @@ std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain&
 
 std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& shot,
                                          const Terrain& terrain) {
-    std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
-                                  water_surface(terrain));
-    write_exr(folder / ("sky_" + shot.name + ".exr"), dome_of(shot, terrain));
     const auto shade = cloud_shade(shot, terrain);
+    const std::string things = pov::things(shot, terrain);
+    std::vector<std::string> added;
     if (shade) {
-        scene += pov::cloud_shade(*shade);
-        write_png(folder / ("clouds_" + shot.name + ".png"),
+        added.push_back("clouds_" + shot.name + ".png");
+        write_png(folder / added.back(),
                   levels_of(cloud_shadows(shot.sun, shade->middle, shade->size, kShade)),
                   kPacked);
     }
-    const std::string things = pov::things(shot, terrain);
-    write_text(folder / (shot.name + ".pov"),
-               things.empty()
-                   ? scene
-                   : scene + fmt::format("#include \"things_{}.inc\"\n", shot.name));
-    write_text(folder / (shot.name + ".ini"), ini(shot));
+    if (!things.empty()) {
+        added.push_back("things_" + shot.name + ".inc");
+        write_text(folder / added.back(), things);
+    }
+    std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
+                                  water_surface(terrain), added);
+    if (shade) scene += pov::cloud_shade(*shade);
+    if (!things.empty()) scene += fmt::format("#include \"{}\"\n", added.back());
+
     std::vector<std::string> names{"sky_" + shot.name + ".exr", shot.name + ".pov",
                                    shot.name + ".ini"};
-    if (shade) names.push_back("clouds_" + shot.name + ".png");
-    if (!things.empty()) {
-        names.push_back("things_" + shot.name + ".inc");
-        write_text(folder / names.back(), things);
-    }
+    write_exr(folder / names[0], dome_of(shot, terrain));
+    write_text(folder / names[1], scene);
+    write_text(folder / names[2], ini(shot));
+    names.insert(names.end(), added.begin(), added.end());
     return names;
 }
 

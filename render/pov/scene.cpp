@@ -41,20 +41,23 @@ bool has_haze(const Shot& shot) {
 
 namespace {
 
-std::string header(const Shot& shot, bool has_water) {
+std::string header(const Shot& shot, bool has_water,
+                   const std::vector<std::string>& added) {
+    std::string beside = has_water ? "heights.png, water.png, " : "heights.png, ";
+    for (const std::string& name : added) beside.append(name).append(", ");
     return fmt::format(R"(// {0}
 //
 // A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
 //
 //     povray {1}.ini
 //
-// It needs heights.png, {2}ground.png, sky_visibility.png and sky_{1}.exr beside it, and
+// It needs {2}ground.png, sky_visibility.png and sky_{1}.exr beside it, and
 // draws {1}.exr: linear light, Rec.709 primaries, no exposure.
 
 #version 3.7;
 
 )",
-                       comment(shot.title), shot.name, has_water ? "water.png, " : "");
+                       comment(shot.title), shot.name, beside);
 }
 
 // The name stands in file names and in quotes.
@@ -70,9 +73,10 @@ void check_name(const std::string& name) {
 }  // namespace pov
 
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
-                      const std::optional<WaterSurface>& water) {
+                      const std::optional<WaterSurface>& water,
+                      const std::vector<std::string>& added) {
     pov::check_name(shot.name);
-    std::string text = pov::header(shot, water.has_value());
+    std::string text = pov::header(shot, water.has_value(), added);
     text += pov::land_numbers(heights, spacing);
     text += pov::light_numbers(shot, heights.levels.width() * spacing);
     text += pov::settings(shot);

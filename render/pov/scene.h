@@ -26,9 +26,10 @@ struct Shot {
 };
 
 // The .pov as text, commented, to run with plain `povray` in the folder of its assets.
-// Pure.
+// Pure. `added`: files that what the caller appends to it needs.
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
-                      const std::optional<WaterSurface>& water = {});
+                      const std::optional<WaterSurface>& water = {},
+                      const std::vector<std::string>& added = {});
 
 // Writes what all shots share (heights, water, ground, sky visibility) and, per shot, its
 // sky, <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants

@@ -185,6 +185,25 @@ TEST(PovScene, TitlesStayInTheComment) {
     }
 }
 
+// Who takes a .pov elsewhere must know what to take with it.
+TEST(PovScene, NamesEveryFileThatItNeeds) {
+    const TemporaryFolder folder;
+    Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    shot.options.sky.clouds = Clouds::kBroken;
+    shot.options.things.push_back({.density = 0.2});
+    const std::vector<std::string> written = write_pov_scene(folder.path(), shot, hill());
+    const std::string text = read_text(folder / "shot.pov");
+    const std::string header = text.substr(0, text.find("#version"));
+    EXPECT_EQ(written.size(), 5u);
+    for (const std::string& name : written)
+        if (name != "shot.pov") EXPECT_NE(header.find(name), std::string::npos) << name;
+    for (std::size_t at = text.find(".png"); at != std::string::npos;
+         at = text.find(".png", at + 1)) {
+        const std::size_t begin = text.find_last_of(" \"", at) + 1;
+        EXPECT_NE(header.find(text.substr(begin, at + 4 - begin)), std::string::npos);
+    }
+}
+
 TEST(PovScene, NamesThatAreNotNames) {
     Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
     for (const char* name : {"", "a b", "../up", "a\"", "a\nb", "a;b"}) {
