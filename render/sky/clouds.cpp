@@ -31,13 +31,27 @@ double henyey_greenstein(double cosine, double g) {
 }
 
 // Light sent on at a cosine from the sun, below an optical depth.
-double scattered(double cosine, double depth) {
-    double sum = 0.0, share = 1.0;
-    for (int octave = 0; octave < 4; ++octave, share *= 0.5)
-        sum += share * henyey_greenstein(cosine, kForward * share) *
-               std::exp(-depth * share * share);
-    return pi * sum;
-}
+class Scattered {
+  public:
+    explicit Scattered(double cosine) {
+        double share = 1.0;
+        for (double& octave : octaves_) {
+            octave = pi * share * henyey_greenstein(cosine, kForward * share);
+            share *= 0.5;
+        }
+    }
+    double below(double depth) const {
+        double sum = 0.0, share = 1.0;
+        for (const double octave : octaves_) {
+            sum += octave * std::exp(-depth * share * share);
+            share *= 0.5;
+        }
+        return sum;
+    }
+
+  private:
+    double octaves_[4];
+};
 
 double octaves(double x, double y, int count, std::uint64_t seed) {
     double sum = 0.0, size = 1.0;
@@ -85,7 +99,8 @@ const Field<float>& streaks() {
 }
 
 double mirrored(double metres) {
-    const double at = std::fmod(std::abs(metres + kReach), 4.0 * kReach);
+    double at = std::abs(metres + kReach);
+    if (at >= 4.0 * kReach) at = std::fmod(at, 4.0 * kReach);
     return std::min(at, 4.0 * kReach - at) / (2.0 * kReach) * (kMap - 1);
 }
 
@@ -132,14 +147,13 @@ double CloudLayer::sunlight_through(Vec3 point) const {
 }
 
 CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const {
-    const double cosine = dot(direction, sun_);
+    const Scattered scattered(dot(direction, sun_));
     if (kind_ == Clouds::kCirrus) {
         const double far = distance_to(direction.z, kIceBase);
         const double depth = kIceDepth * thickness(far * direction.x, far * direction.y) *
                              std::min(kIceBase > 0.0 ? far / kIceBase : 1.0, 3.0);
         const double through = std::exp(-depth);
-        return {(1.0 - through) * (scattered(cosine, 0.3) * sunlight + skylight),
-                through};
+        return {(1.0 - through) * (scattered.below(0.3) * sunlight + skylight), through};
     }
     constexpr int kSteps = 96, kTowardSun = 5;  // fewer show as steps
     const double near = distance_to(direction.z, kHeapBase);
@@ -162,7 +176,7 @@ CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) 
         }
         const double passed = std::exp(-step * kHeapExtinction * here);
         seen.light = seen.light + seen.through * (1.0 - passed) *
-                                      (scattered(cosine, depth) * sunlight +
+                                      (scattered.below(depth) * sunlight +
                                        (0.5 + 0.5 * p.z) * skylight);
         seen.through *= passed;
     }

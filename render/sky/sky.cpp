@@ -163,6 +163,7 @@ Field<Rgb> upper_dome(const Sky& sky, int width, int height) {
 void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& clear,
                  Field<Rgb>& dome, int height) {
     const double scale = static_cast<double>(clear.width()) / dome.width();
+    const Vec3 sunlight = sky.sun(), skylight = sky.mean();
     parallel_for(height, [&](int y) {
         const double v = std::clamp((y + 0.5) * scale - 0.5, 0.0, clear.height() - 1.001);
         const int j = static_cast<int>(v);
@@ -175,7 +176,7 @@ void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& cle
                 (1.0 - g) * ((1.0 - f) * vec(clear(i, j)) + f * vec(clear(next, j))) +
                 g * ((1.0 - f) * vec(clear(i, j + 1)) + f * vec(clear(next, j + 1)));
             const Vec3 toward = direction_of(x, y, dome.width(), height);
-            const auto cloud = clouds.seen(toward, sky.sun(), sky.mean());
+            const auto cloud = clouds.seen(toward, sunlight, skylight);
             const double near = std::exp(-0.035 / std::max(toward.z, 1e-3));
             dome(x, y) =
                 rgb(behind + near * (cloud.light + (cloud.through - 1.0) * behind));
