@@ -17,4 +17,4 @@ for style in grey height slope ink contours radiance; do
     oiiotool "$folder"/out/frames/*."$style".png --ch R,G,B -o "$folder/$style.png"
     tiles+=("$folder/$style.png")
 done
-oiiotool "${tiles[@]}" --mosaic:pad=6 2x3 --compression jpeg:70 -o docs/pictures/styles.jpg
+oiiotool "${tiles[@]}" --mosaic:pad=6 2x3 --compression jpeg:60 -o docs/pictures/styles.jpg
