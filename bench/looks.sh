@@ -34,12 +34,12 @@ draw() {
 all() {
     draw natural coast
     draw alpine alpine-valley
-    draw winter u-valley render.sun.elevation=14 render.sun.azimuth=250
+    draw winter u-valley render.sun.elevation=22 render.sun.azimuth=215
     draw green hills render.sun.azimuth=240 render.sun.elevation=20 \
         'render.camera[0].elevation=9'
     draw autumn v-valley render.sun.elevation=20
     draw tundra hills render.sun.elevation=14 'render.camera[0].elevation=9'
-    draw storm island
+    draw storm alpine-valley
     draw karst tower-karst
     draw desert mesa
     draw canyon grand-canyon

@@ -61,7 +61,7 @@ class Sky {
         clear_ = mean_of_clear();
         if (options.clouds == Clouds::kOvercast) {
             const Vec3 above =
-                clear_ + std::max(sine_, 0.0) * mul(light_, air_.sun_colour());
+                clear_ + std::max(sine_, 0.0) * mul(light_, faded(air_.sun_colour()));
             // Thick cloud mixes sun and sky to one grey.
             overcast_ = kThroughOvercast * luminance(above) *
                         (night() ? kMoonlight : kOvercastColour);
@@ -72,7 +72,7 @@ class Sky {
     bool overcast() const { return options_.air && options_.clouds == Clouds::kOvercast; }
     Vec3 sun() const {
         if (!options_.air) return sine_ > 0.0 ? light_ : Vec3{};
-        return overcast() ? Vec3{} : mul(light_, air_.sun_colour());
+        return overcast() ? Vec3{} : mul(light_, faded(air_.sun_colour()));
     }
     // Mean radiance over level ground.
     Vec3 mean() const {
@@ -96,13 +96,14 @@ class Sky {
     }
 
   private:
-    Vec3 seen(Vec3 light) const {
+    // Colours of the air, as the eye sees them by night.
+    Vec3 faded(Vec3 light) const {
         if (!night()) return light;
         const double grey = luminance(light);
-        const Vec3 faded =
-            kNightSaturation * light + (1.0 - kNightSaturation) * Vec3{grey, grey, grey};
-        return mul(light_, faded) + glow_;
+        return kNightSaturation * light +
+               (1.0 - kNightSaturation) * Vec3{grey, grey, grey};
     }
+    Vec3 seen(Vec3 light) const { return mul(light_, faded(light)) + glow_; }
 
     Vec3 mean_of_clear() const {
         constexpr int kSpokes = 48, kRings = 24;
