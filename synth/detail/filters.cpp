@@ -1,0 +1,188 @@
+#include "synth/detail/filters.h"
+
+#include <algorithm>
+
+namespace cydonia::detail {
+namespace {
+
+int finer(Filter filter, int coarse) {
+    switch (filter) {
+        case Filter::kChaikin:
+            return 2 * coarse - 2;
+        case Filter::kHaar:
+            return 2 * coarse;
+        case Filter::kFaber:
+        case Filter::kCubic:
+            return 2 * coarse - 1;
+    }
+    return 0;
+}
+
+// The fewest values that the filters of a line's two ends leave apart.
+int fewest(Filter filter) { return filter == Filter::kChaikin ? 4 : 2; }
+
+// Weights of one value that come twice are added up.
+void add(Stencil& stencil, int index, float weight) {
+    for (int i = 0; i < stencil.count; ++i)
+        if (stencil.taps[std::size_t(i)].index == index) {
+            stencil.taps[std::size_t(i)].weight += weight;
+            return;
+        }
+    stencil.taps[std::size_t(stencil.count++)] = {index, weight};
+}
+Stencil stencil(std::initializer_list<Stencil::Tap> taps) {
+    Stencil result;
+    for (const Stencil::Tap& tap : taps) add(result, tap.index, tap.weight);
+    return result;
+}
+
+// Quadratic B-splines whose ends are interpolated (notes.md, Brosz 1). Inner rows are the
+// published ones; the outer ones follow from A P = 1, B P = 0 and P A + Q B = 1.
+FilterBank chaikin(int n) {
+    const int fine = 2 * n - 2, last = fine - 1;
+    FilterBank bank{fine, n, n - 2, {}, {}, {}};
+    bank.a.push_back(stencil({{0, 1.0f}}));
+    const auto outer = [](int at, int step, float sign) {
+        return stencil({{at, -0.5f},
+                        {at + step, 1.0f},
+                        {at + 2 * step, sign * 0.75f},
+                        {at + 3 * step, -sign * 0.25f}});
+    };
+    for (int i = 1; i <= n - 2; ++i) {
+        if (i == 1) {
+            bank.a.push_back(outer(0, 1, 1.0f));
+            bank.b.push_back(outer(0, 1, -1.0f));
+        } else if (i == n - 2) {
+            bank.a.push_back(outer(last, -1, 1.0f));
+            bank.b.push_back(outer(last, -1, -1.0f));
+        } else {
+            const int j = 2 * i - 2;
+            bank.a.push_back(
+                stencil({{j, -0.25f}, {j + 1, 0.75f}, {j + 2, 0.75f}, {j + 3, -0.25f}}));
+            bank.b.push_back(
+                stencil({{j, 0.25f}, {j + 1, -0.75f}, {j + 2, 0.75f}, {j + 3, -0.25f}}));
+        }
+    }
+    bank.a.push_back(stencil({{last, 1.0f}}));
+
+    bank.pq.resize(std::size_t(fine));
+    const auto p = [&](int j, int i, float weight) {
+        add(bank.pq[std::size_t(j)], i, weight);
+    };
+    const auto q = [&](int j, int i, float weight) {
+        add(bank.pq[std::size_t(j)], n + i - 1, weight);
+    };
+    p(0, 0, 1.0f), p(last, n - 1, 1.0f);
+    p(1, 0, 0.5f), p(1, 1, 0.5f);
+    p(last - 1, n - 1, 0.5f), p(last - 1, n - 2, 0.5f);
+    for (int i = 1; i < n - 2; ++i) {
+        p(2 * i, i, 0.75f), p(2 * i, i + 1, 0.25f);
+        p(2 * i + 1, i, 0.25f), p(2 * i + 1, i + 1, 0.75f);
+    }
+    q(1, 1, 0.5f), q(2, 1, -0.75f), q(3, 1, -0.25f);
+    q(last - 1, n - 2, 0.5f), q(last - 2, n - 2, -0.75f), q(last - 3, n - 2, -0.25f);
+    for (int i = 2; i < n - 2; ++i) {
+        const int j = 2 * i - 2;
+        q(j, i, -0.25f), q(j + 1, i, -0.75f), q(j + 2, i, 0.75f), q(j + 3, i, 0.25f);
+    }
+    return bank;
+}
+
+FilterBank haar(int n) {
+    FilterBank bank{2 * n, n, n, {}, {}, {}};
+    for (int i = 0; i < n; ++i) {
+        bank.a.push_back(stencil({{2 * i, 0.5f}, {2 * i + 1, 0.5f}}));
+        bank.b.push_back(stencil({{2 * i, 0.5f}, {2 * i + 1, -0.5f}}));
+        bank.pq.push_back(stencil({{i, 1.0f}, {n + i, 1.0f}}));
+        bank.pq.push_back(stencil({{i, 1.0f}, {n + i, -1.0f}}));
+    }
+    return bank;
+}
+
+// Linear interpolation: every second value is kept.
+FilterBank faber(int n) {
+    FilterBank bank{2 * n - 1, n, n - 1, {}, {}, {}};
+    for (int i = 0; i < n; ++i) {
+        bank.a.push_back(stencil({{2 * i, 1.0f}}));
+        bank.pq.push_back(stencil({{i, 1.0f}}));
+        if (i == n - 1) break;
+        bank.b.push_back(
+            stencil({{2 * i, -0.5f}, {2 * i + 1, 1.0f}, {2 * i + 2, -0.5f}}));
+        bank.pq.push_back(stencil({{i, 0.5f}, {i + 1, 0.5f}, {n + i, 1.0f}}));
+    }
+    return bank;
+}
+
+// Cubic B-splines by lifting (Bertram, Duchaineau, Hamann and Joy 2004, without their
+// last step), mirrored at the ends.
+FilterBank cubic(int n) {
+    const int fine = 2 * n - 1;
+    FilterBank bank{fine, n, n - 1, {}, {}, {}};
+    const auto odd = [&](int i) { return i < 0 ? 1 : i >= n - 1 ? fine - 2 : 2 * i + 1; };
+    const auto detail = [&](int i) { return n + std::clamp(i, 0, n - 2); };
+    for (int i = 0; i < n; ++i)
+        bank.a.push_back(stencil({{2 * i, 2.0f}, {odd(i - 1), -0.5f}, {odd(i), -0.5f}}));
+    for (int i = 0; i < n - 1; ++i) {
+        Stencil b = stencil({{2 * i + 1, 1.0f}});
+        for (const int c : {i, i + 1})
+            for (int k = 0; k < bank.a[std::size_t(c)].count; ++k) {
+                const auto tap = bank.a[std::size_t(c)].taps[std::size_t(k)];
+                add(b, tap.index, -0.5f * tap.weight);
+            }
+        bank.b.push_back(b);
+    }
+    for (int i = 0; i < n; ++i) {
+        // An even value is half its coarse one and a quarter of the odd ones beside it.
+        Stencil even = stencil({{i, 0.5f}});
+        for (const int side : {i - 1, i}) {
+            const int at = std::clamp(side, 0, n - 2);
+            add(even, at, 0.125f), add(even, at + 1, 0.125f),
+                add(even, detail(at), 0.25f);
+        }
+        bank.pq.push_back(even);
+        if (i < n - 1)
+            bank.pq.push_back(stencil({{i, 0.5f}, {i + 1, 0.5f}, {detail(i), 1.0f}}));
+    }
+    return bank;
+}
+
+}  // namespace
+
+FilterBank filter_bank(Filter filter, int coarse) {
+    switch (filter) {
+        case Filter::kChaikin:
+            return chaikin(coarse);
+        case Filter::kHaar:
+            return haar(coarse);
+        case Filter::kFaber:
+            return faber(coarse);
+        case Filter::kCubic:
+            return cubic(coarse);
+    }
+    return {};
+}
+
+int divisible(Filter filter, int length, int levels) {
+    const auto fine_of = [&](int coarse) {
+        for (int level = 0; level < levels; ++level) coarse = finer(filter, coarse);
+        return coarse;
+    };
+    int coarse = std::max(fewest(filter), length >> levels);
+    while (fine_of(coarse) < length) ++coarse;
+    return fine_of(coarse);
+}
+
+int coarser(Filter filter, int length) {
+    switch (filter) {
+        case Filter::kChaikin:
+            return (length + 2) / 2;
+        case Filter::kHaar:
+            return length / 2;
+        case Filter::kFaber:
+        case Filter::kCubic:
+            return (length + 1) / 2;
+    }
+    return 0;
+}
+
+}  // namespace cydonia::detail
