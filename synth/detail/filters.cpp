@@ -113,35 +113,49 @@ FilterBank faber(int n) {
     return bank;
 }
 
-// Cubic B-splines by lifting (Bertram, Duchaineau, Hamann and Joy 2004, without their
-// last step), mirrored at the ends.
+// Times a stencil's weights, added to another.
+void add(Stencil& stencil, const Stencil& other, float weight) {
+    for (int k = 0; k < other.count; ++k)
+        add(stencil, other.taps[std::size_t(k)].index,
+            weight * other.taps[std::size_t(k)].weight);
+}
+
+// Cubic B-splines, mirrored at the ends, by lifting (Bertram, Duchaineau, Hamann and Joy
+// 2004): even values become coarse ones, what the odd ones are beside those are details,
+// and those smooth the coarse ones. Inside these are the local least-squares filters of
+// Samavati and Bartels.
 FilterBank cubic(int n) {
+    constexpr float kSmoothing = 23.0f / 49.0f;
     const int fine = 2 * n - 1;
     FilterBank bank{fine, n, n - 1, {}, {}, {}};
     const auto odd = [&](int i) { return i < 0 ? 1 : i >= n - 1 ? fine - 2 : 2 * i + 1; };
-    const auto detail = [&](int i) { return n + std::clamp(i, 0, n - 2); };
+    const auto detail = [&](int i) { return std::clamp(i, 0, n - 2); };
     for (int i = 0; i < n; ++i)
         bank.a.push_back(stencil({{2 * i, 2.0f}, {odd(i - 1), -0.5f}, {odd(i), -0.5f}}));
     for (int i = 0; i < n - 1; ++i) {
         Stencil b = stencil({{2 * i + 1, 1.0f}});
-        for (const int c : {i, i + 1})
-            for (int k = 0; k < bank.a[std::size_t(c)].count; ++k) {
-                const auto tap = bank.a[std::size_t(c)].taps[std::size_t(k)];
-                add(b, tap.index, -0.5f * tap.weight);
-            }
+        for (const int side : {i, i + 1}) add(b, bank.a[std::size_t(side)], -0.5f);
         bank.b.push_back(b);
     }
+    std::vector<Stencil> rough;  // coarse values before they are smoothed
     for (int i = 0; i < n; ++i) {
-        // An even value is half its coarse one and a quarter of the odd ones beside it.
-        Stencil even = stencil({{i, 0.5f}});
+        rough.push_back(stencil({{i, 1.0f}}));
         for (const int side : {i - 1, i}) {
-            const int at = std::clamp(side, 0, n - 2);
-            add(even, at, 0.125f), add(even, at + 1, 0.125f),
-                add(even, detail(at), 0.25f);
+            add(bank.a[std::size_t(i)], bank.b[std::size_t(detail(side))], kSmoothing);
+            add(rough.back(), n + detail(side), -kSmoothing);
         }
+    }
+    const auto odd_value = [&](int i) {
+        Stencil s = stencil({{n + i, 1.0f}});
+        add(s, rough[std::size_t(i)], 0.5f), add(s, rough[std::size_t(i + 1)], 0.5f);
+        return s;
+    };
+    for (int i = 0; i < n; ++i) {
+        Stencil even;
+        add(even, rough[std::size_t(i)], 0.5f);
+        for (const int side : {i - 1, i}) add(even, odd_value(detail(side)), 0.25f);
         bank.pq.push_back(even);
-        if (i < n - 1)
-            bank.pq.push_back(stencil({{i, 0.5f}, {i + 1, 0.5f}, {detail(i), 1.0f}}));
+        if (i < n - 1) bank.pq.push_back(odd_value(i));
     }
     return bank;
 }

@@ -13,7 +13,7 @@ struct Stencil {
         int index = 0;
         float weight = 0.0f;
     };
-    std::array<Tap, 6> taps;
+    std::array<Tap, 7> taps;
     int count = 0;
 };
 

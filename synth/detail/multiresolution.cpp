@@ -51,22 +51,21 @@ void along_rows(const std::vector<Stencil>& stencils, const Field<float>& first,
 
 }  // namespace
 
-Decomposed decomposed(Field<float> land, Filter filter, int levels) {
-    Decomposed result;
+std::vector<Level> decomposed(Field<float> land, Filter filter, int levels) {
+    std::vector<Level> result;
     for (int level = 0; level < levels; ++level) {
-        const int w = coarser(filter, land.width()), h = coarser(filter, land.height());
+        const Field<float>& fine = level == 0 ? land : result.back().coarse;
+        const int w = coarser(filter, fine.width()), h = coarser(filter, fine.height());
         const FilterBank across = filter_bank(filter, w), down = filter_bank(filter, h);
-        assert(across.fine == land.width() && down.fine == land.height());
-        Field<float> half(land.width(), h), coarse(w, h);
-        Details details{{land.width(), down.details}, {across.details, h}};
-        along_columns(down.a, land, {}, half);
-        along_columns(down.b, land, {}, details.columns);
-        along_rows(across.a, half, {}, coarse);
-        along_rows(across.b, half, {}, details.rows);
-        result.levels.push_back(std::move(details));
-        land = std::move(coarse);
+        assert(across.fine == fine.width() && down.fine == fine.height());
+        Field<float> half(fine.width(), h);
+        Level made{{{fine.width(), down.details}, {across.details, h}}, {w, h}};
+        along_columns(down.a, fine, {}, half);
+        along_columns(down.b, fine, {}, made.details.columns);
+        along_rows(across.a, half, {}, made.coarse);
+        along_rows(across.b, half, {}, made.details.rows);
+        result.push_back(std::move(made));
     }
-    result.coarse = std::move(land);
     return result;
 }
 

@@ -14,13 +14,13 @@ struct Details {
     Field<float> rows;     // as high as the coarse one
 };
 
-struct Decomposed {
-    Field<float> coarse;
-    std::vector<Details> levels;  // the finest first
+struct Level {
+    Details details;
+    Field<float> coarse;  // what is left
 };
 
-// Sides that `levels` levels divide (divisible()).
-Decomposed decomposed(Field<float> land, Filter filter, int levels);
+// The finest level first. For sides that so many levels divide (divisible()).
+std::vector<Level> decomposed(Field<float> land, Filter filter, int levels);
 
 // One level up: rows, then columns.
 Field<float> subdivided(const Field<float>& coarse, const Details& details,

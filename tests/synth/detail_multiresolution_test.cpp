@@ -20,10 +20,10 @@ Field<float> random_land(int width, int height, std::uint64_t seed) {
     return land;
 }
 
-Field<float> put_together(const Decomposed& parts, Filter filter) {
-    Field<float> land = parts.coarse;
-    for (std::size_t i = parts.levels.size(); i-- > 0;)
-        land = subdivided(land, parts.levels[i], filter);
+Field<float> put_together(const std::vector<Level>& levels, Filter filter) {
+    Field<float> land = levels.back().coarse;
+    for (std::size_t i = levels.size(); i-- > 0;)
+        land = subdivided(land, levels[i].details, filter);
     return land;
 }
 
@@ -43,7 +43,7 @@ TEST(Multiresolution, IsExactForAnySize) {
         const Field<float> land = random_land(width, height, i);
         const Field<float> whole = padded(land, divisible(filter, width, levels),
                                           divisible(filter, height, levels));
-        const Decomposed parts = decomposed(whole, filter, levels);
+        const std::vector<Level> parts = decomposed(whole, filter, levels);
         const Field<float> again = put_together(parts, filter);
         ASSERT_TRUE(again.same_shape(whole)) << width << "x" << height;
         double most = 0.0;
@@ -61,11 +61,11 @@ TEST(Multiresolution, SubdivisionIsReversed) {
     for (const Filter filter : kFilters) {
         const Field<float> coarse = random_land(23, 17, 5);
         const Field<float> fine = subdivided(coarse, no_details(filter, 23, 17), filter);
-        const Decomposed parts = decomposed(fine, filter, 1);
+        const std::vector<Level> parts = decomposed(fine, filter, 1);
         for (std::size_t i = 0; i < coarse.size(); ++i)
-            ASSERT_NEAR(parts.coarse[i], coarse[i], 2e-3) << int(filter);
-        EXPECT_LT(largest(parts.levels[0].columns), 2e-3) << int(filter);
-        EXPECT_LT(largest(parts.levels[0].rows), 2e-3) << int(filter);
+            ASSERT_NEAR(parts[0].coarse[i], coarse[i], 2e-3) << int(filter);
+        EXPECT_LT(largest(parts[0].details.columns), 2e-3) << int(filter);
+        EXPECT_LT(largest(parts[0].details.rows), 2e-3) << int(filter);
     }
 }
 
@@ -102,7 +102,7 @@ TEST(Multiresolution, SmoothLandHasSmallDetails) {
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
                 smooth(x, y) = float(100.0 * std::sin(x / 20.0) * std::cos(y / 25.0));
-        const Decomposed parts = decomposed(smooth, filter, 1);
+        const std::vector<Level> parts = decomposed(smooth, filter, 1);
         // The ends have filters of their own, which see slopes.
         const auto inside = [](const Field<float>& details) {
             double most = 0.0;
@@ -111,8 +111,8 @@ TEST(Multiresolution, SmoothLandHasSmallDetails) {
                     most = std::max(most, std::abs(double(details(x, y))));
             return most;
         };
-        EXPECT_LT(inside(parts.levels[0].columns), 0.3) << int(filter);
-        EXPECT_LT(inside(parts.levels[0].rows), 0.3) << int(filter);
+        EXPECT_LT(inside(parts[0].details.columns), 0.3) << int(filter);
+        EXPECT_LT(inside(parts[0].details.rows), 0.3) << int(filter);
     }
 }
 
