@@ -95,8 +95,7 @@ std::vector<std::size_t> missing(Kind kind, bool land, int count, Job& job) {
     if (job.request.frames)
         throw bad_request(
             "a part of a day needs the land first, which tells the sun: cydonia emit "
-            "with "
-            "the same options makes it");
+            "with the same options makes it");
     std::vector<std::size_t> all(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     return all;
@@ -121,8 +120,7 @@ void refuse_while_queued(const fs::path& output) {
     if (std::ranges::any_of(slurm::tasks_of(record.ids()), &slurm::Task::is_queued))
         throw bad_request(
             "what was handed in before is still queued: see cydonia farm status, or end "
-            "it "
-            "with scancel {}",
+            "it with scancel {}",
             fmt::join(record.ids(), " "));
 }
 
