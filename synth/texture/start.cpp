@@ -1,5 +1,8 @@
 #include "synth/texture/start.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "field/random.h"
 #include "synth/texture/layout.h"
 
@@ -7,8 +10,10 @@ namespace cydonia::texture {
 namespace {
 
 // Cells of the coarsest level that start as one piece of land, each way: smaller pieces
-// lose landforms, larger ones are copies (bench/realism.sh).
-constexpr int kBlock = 4;
+// lose landforms and what drains where, larger ones leave little to choose from
+// (bench/real-or-not.sh).
+constexpr int kLeastBlock = 4, kMostBlock = 8;
+constexpr double kShare = 0.4;  // of the smallest exemplar's shorter side
 // Pieces beside each other in the list are much the same land: a prime beyond their
 // number goes through all of them.
 constexpr int kStride = 1009;
@@ -21,12 +26,19 @@ bool is_of(TypeSet types, const Level& level, const Spot& spot, int at) {
     return type < kMostTypes && (types >> type & 1u);
 }
 
+int block_of(const Level& level) {
+    int shorter = std::numeric_limits<int>::max();
+    for (const Sheet& sheet : level.sheets)
+        shorter = std::min({shorter, sheet.width, sheet.height});
+    return std::clamp(int(kShare * shorter), kLeastBlock, kMostBlock);
+}
+
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
 }  // namespace
 
 Layout start_of(const Database& database, const Controls& controls) {
-    return laid_out(database, kBlock, controls.orientations,
+    return laid_out(database, block_of(database.levels.back()), controls.orientations,
                     hash_of({controls.seed, key("start"), key("layout")}));
 }
 
@@ -35,11 +47,12 @@ Synthesis started(const Database& database, const Layout& layout,
     const int top = window.level;
     const Level& level = database.levels[std::size_t(top)];
     const int count = int(layout.pieces.size());
+    const int block = layout.side >> (top - layout.level);
     Synthesis land{window, {window.width, window.height}, {window.width, window.height}};
     for (int row = 0; row < window.height; ++row)
         for (int column = 0; column < window.width; ++column) {
             const int x = window.x + column, y = window.y + row;
-            const int bx = floor_div(x, kBlock), by = floor_div(y, kBlock);
+            const int bx = floor_div(x, block), by = floor_div(y, block);
             const auto land_of = [&](int piece) {
                 const Spot spot = layout.land(piece, bx, by, top, x, y);
                 return kept_inside(spot, level.sheets[std::size_t(spot.exemplar)], top);
