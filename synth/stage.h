@@ -5,6 +5,7 @@
 
 #include "synth/context.h"
 #include "synth/dem/dem.h"
+#include "synth/detail/detail.h"
 #include "synth/distance/distance.h"
 #include "synth/pareidolia/pareidolia.h"
 #include "synth/texture/texture.h"
@@ -12,8 +13,8 @@
 namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
-using StageOptions =
-    std::variant<distance::Options, pareidolia::Options, dem::Options, texture::Options>;
+using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options,
+                                  texture::Options, detail::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {
@@ -28,6 +29,9 @@ struct Method {
 inline Method method_of(const StageOptions& options) {
     struct Visitor {
         Method operator()(const dem::Options&) const { return {"dem", dem::kVersion}; }
+        Method operator()(const detail::Options&) const {
+            return {"detail", detail::kVersion};
+        }
         Method operator()(const distance::Options&) const {
             return {"distance", distance::kVersion};
         }
@@ -54,6 +58,9 @@ inline std::string_view whole_because(const StageOptions& options) {
     struct Visitor {
         using Reason = std::string_view;
         Reason operator()(const dem::Options&) const { return "it is one model"; }
+        Reason operator()(const detail::Options&) const {
+            return "its details are put on the whole land";
+        }
         Reason operator()(const distance::Options&) const {
             return "its paths cross the whole land";
         }

@@ -102,6 +102,18 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                                  samples_of_dem(o.source).value_or(o.source.size)) +
                    16 * cells;
         }
+        // The land with its own details, what is quilted and put together; targets with
+        // theirs, in every orientation.
+        std::uint64_t operator()(const detail::Options& o) const {
+            std::uint64_t targets = 0;
+            for (const detail::Target& target : o.targets)
+                targets +=
+                    std::min(kMostModel,
+                             samples_of_dem(target.source).value_or(target.source.size));
+            const std::uint64_t copies = static_cast<std::uint64_t>(o.orientations);
+            return (40 + (o.mappings.empty() && !o.paint ? 0 : 8)) * cells +
+                   (24 + 16 * copies) * targets;
+        }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
         // the land after that; 191 with recordings of all passes, for and of a run.
         std::uint64_t operator()(const texture::Options& o) const {

@@ -1,11 +1,10 @@
-// Where a texture stage gets its elevation models from.
+#include "config/reader/elevation_models.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "config/reader/matching.h"
-#include "config/reader/texture.h"
 #include "field/error.h"
 #include "field/packaged.h"
 
@@ -55,7 +54,7 @@ std::vector<Source> ElevationModels::read(const Value& value, Files& files) cons
         return {ElevationModel{}.read(value, files)};
     return guided([&] {
         std::vector<Source> found;
-        for (const std::string& file : files.matching(name, kMostExemplars))
+        for (const std::string& file : files.matching(name, kMostModels))
             found.push_back(files.open(file));
         return found;
     });

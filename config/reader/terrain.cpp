@@ -19,6 +19,7 @@ StageOptions stage_of(Table& t) {
 // Every method by its name, and what reads it.
 constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
     {"dem", stage_of<dem::Options>},
+    {"detail", stage_of<detail::Options>},
     {"distance", stage_of<distance::Options>},
     {"pareidolia", stage_of<pareidolia::Options>},
     {"texture", stage_of<texture::Options>},

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "config/reader/elevation_models.h"
 #include "config/reader/table.h"
 #include "synth/texture/options.h"
 
@@ -16,23 +17,8 @@ struct TextureNames {
     std::vector<std::string> pastes;
 };
 
-inline constexpr std::size_t kMostExemplars = 255;  // texture::Match has a byte for them
-
-// An elevation model: a file, or "package:NAME" for one that a Debian package brings.
-struct ElevationModel {
-    static constexpr bool kVaries = false;
-    Source read(const Value& value, Files& files) const;
-    std::string text(const Source& source) const { return File{}.text(source); }
-    std::string schema() const { return File{}.schema(); }
-};
-
-// One or, as "dems/*.tif", several of them.
-struct ElevationModels {
-    static constexpr bool kVaries = false;
-    std::vector<Source> read(const Value& value, Files& files) const;
-    std::string text(const Source& source) const { return File{}.text(source); }
-    std::string schema() const { return File{}.schema(); }
-};
+// texture::Match has a byte for them.
+inline constexpr std::size_t kMostExemplars = kMostModels;
 
 void read(Table& t, texture::Point& point, TextureNames& names);  // texture_shapes.cpp
 void read(Table& t, texture::Curve& curve, TextureNames& names);  // texture_shapes.cpp

@@ -66,7 +66,8 @@ struct Documented {
 std::string in_plain_scene(std::string table, const std::string& stage) {
     const std::pair<const char*, std::string> places[] = {
         {"terrain\\.stage", stage},
-        {"\\b(image|camera|thing|profile|region|exemplar|point|curve|handle|paste)\\.",
+        {"\\b(image|camera|thing|profile|region|exemplar|point|curve|handle|paste|"
+         "mapping)\\.",
          "$1[0]."},
         {"(stage\\[0\\]\\.water)\\.", "$1[0]."},
         {"group\\.(circles)", "group[1].$1"},
@@ -116,7 +117,7 @@ std::vector<Documented> documented_defaults() {
     static const std::regex row("\\| `([a-z_]+)` \\|[^|]*\\| `([^`]+)` \\|.*");
     std::vector<Documented> rows;
     const std::map<std::string, int> stages{
-        {"distance", 0}, {"pareidolia", 1}, {"dem", 2}, {"texture", 3}};
+        {"distance", 0}, {"pareidolia", 1}, {"dem", 2}, {"texture", 3}, {"detail", 4}};
     std::string prefix, stage;
     for (const auto& line : lines_of(manual())) {
         std::smatch match;
@@ -165,6 +166,8 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "point = [{ at = [0, 0], height = 0 }]\n"
         "paste = [{ exemplar = \"terrain\", to = [0, 0], radius = 1 }]\n"
         "curve = [{ points = [[0, 0], [1, 1]], height = 0 }]\n"
+        "[[terrain.stage]]\nmethod = \"detail\"\ntargets = \"profile.png\"\n"
+        "mapping = [{ target = 1 }]\n"
         "[[render.camera]]\nname = \"a\"\n"
         "[[render.thing]]\nkind = \"rock\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));

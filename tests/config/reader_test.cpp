@@ -40,7 +40,7 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 6u);
+    ASSERT_EQ(s.stages.size(), 7u);
 
     const auto& d = stage<distance::Options>(s, 0);
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
@@ -74,7 +74,32 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_TRUE(m.fit);
     EXPECT_EQ(m.vertical_scale, 1.5);
 
-    const auto& c = stage<pareidolia::Options>(s, 5);
+    const auto& by_example = stage<detail::Options>(s, 5);
+    ASSERT_EQ(by_example.targets.size(), 3u);
+    EXPECT_EQ(by_example.targets[1].source.name(), "profile.png");
+    EXPECT_EQ(by_example.targets[1].colour, std::nullopt);
+    EXPECT_EQ(by_example.targets[2].colour, (std::array<std::uint8_t, 3>{0, 128, 0}));
+    EXPECT_EQ(by_example.targets[1].scale, 0.5);
+    EXPECT_EQ(by_example.targets[2].scale, 2.0);
+    EXPECT_EQ(by_example.levels, 2);
+    EXPECT_EQ(by_example.strength, 1.2);
+    EXPECT_EQ(by_example.kind, detail::Kind::kMultifractal);
+    EXPECT_EQ(by_example.filter, detail::Filter::kCubic);
+    EXPECT_EQ(by_example.search, detail::Search::kExhaustive);
+    EXPECT_EQ(by_example.block, 0.1);
+    EXPECT_EQ(by_example.candidates, 30);
+    EXPECT_EQ(by_example.orientations, 8);
+    EXPECT_TRUE(by_example.adapt);
+    EXPECT_EQ(by_example.paint->name(), "profile.png");
+    ASSERT_EQ(by_example.mappings.size(), 2u);
+    EXPECT_EQ(by_example.mappings[0].target, 2);
+    EXPECT_EQ(by_example.mappings[0].from, (std::array{0.4, 0.6}));
+    EXPECT_EQ(by_example.mappings[0].to, (std::array{0.3, 0.7}));
+    EXPECT_EQ(by_example.mappings[0].size, (std::array{0.2, 0.1}));
+    ASSERT_EQ(by_example.mappings[1].outline.size(), 3u);
+    EXPECT_EQ(by_example.mappings[1].outline[2], (std::array{0.5, 0.8}));
+
+    const auto& c = stage<pareidolia::Options>(s, 6);
     EXPECT_EQ(c.solver, pareidolia::Solver::kConstrained);
     EXPECT_EQ(c.constrained.faithful, 2.0);
     EXPECT_EQ(c.constrained.natural, 0.5);

@@ -1,0 +1,102 @@
+#include "synth/detail/fractal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/parallel.h"
+#include "field/random.h"
+
+namespace cydonia::detail {
+namespace {
+
+constexpr int kAround = 4;  // cells each way over which a scale is estimated
+
+// Of mean 0 and variance 1: the sum of four uniform numbers, which no machine rounds
+// otherwise.
+float nearly_normal(std::uint64_t h) {
+    constexpr float kMean = 2.0f * 65535.0f, kDeviation = 37837.0f;  // 65536 / sqrt 3
+    float sum = 0.0f;
+    for (int i = 0; i < 4; ++i) sum += float(h >> (16 * i) & 0xffff);
+    return (sum - kMean) / kDeviation;
+}
+
+template <class Change>
+void change_by_noise(Field<float>& field, std::uint64_t seed, const Change& change) {
+    parallel_for(field.height(), 16, [&](int y) {
+        const std::uint64_t row = hash_of({seed, std::uint64_t(y)});
+        for (int x = 0; x < field.width(); ++x)
+            change(field(x, y), nearly_normal(mix(row + std::uint64_t(x))), x, y);
+    });
+}
+
+}  // namespace
+
+// By running sums.
+Field<float> strength_of(const Field<float>& values, int around) {
+    const int w = values.width(), h = values.height();
+    const auto means = [&](int count, auto&& value, auto&& put) {
+        double sum = 0.0;
+        int in = 0;
+        for (int i = -around; i < count; ++i) {
+            if (i + around < count) sum += value(i + around), ++in;
+            if (i - around - 1 >= 0) sum -= value(i - around - 1), --in;
+            if (i >= 0) put(i, static_cast<float>(std::max(0.0, sum) / in));
+        }
+    };
+    Field<float> across(w, h), result(w, h);
+    parallel_for(h, 16, [&](int y) {
+        means(
+            w, [&](int x) { return double(values(x, y)) * values(x, y); },
+            [&](int x, float mean) { across(x, y) = mean; });
+    });
+    parallel_for(w, 16, [&](int x) {
+        means(
+            h, [&](int y) { return double(across(x, y)); },
+            [&](int y, float mean) { result(x, y) = std::sqrt(mean); });
+    });
+    return result;
+}
+
+void take_scale(Example& example) {
+    for (Level& level : example.levels) {
+        level.details.columns = strength_of(level.details.columns, kAround);
+        level.details.rows = strength_of(level.details.rows, kAround);
+    }
+}
+
+void make_noise(Details& strengths, std::uint64_t seed, int level) {
+    const auto times = [](float& value, float noise, int, int) { value *= noise; };
+    const auto of = [&](const char* which) {
+        return hash_of({seed, key(which), std::uint64_t(level)});
+    };
+    change_by_noise(strengths.columns, of("columns"), times);
+    change_by_noise(strengths.rows, of("rows"), times);
+}
+
+double fractal_scale(std::span<const Example> examples, Filter filter, int level,
+                     int levels) {
+    double squares = 0.0, count = 0.0;
+    for (const Example& example : examples) {
+        const Level* coarsest = example.level(levels - 1);
+        if (!coarsest) continue;
+        // What details alone give.
+        const Field<float> residuals =
+            subdivided(Field<float>(coarsest->coarse.width(), coarsest->coarse.height()),
+                       coarsest->details, filter);
+        for (const float r : residuals) squares += double(r) * r;
+        count += double(residuals.size());
+    }
+    const double coarsest = count > 0.0 ? std::sqrt(squares / count) : 0.0;
+    return coarsest * std::exp2(-kHurst * (levels - 1 - level));
+}
+
+void add_noise(Field<float>& land, double strength, const Field<float>& share,
+               std::uint64_t seed, int level) {
+    change_by_noise(land, hash_of({seed, key("addition"), std::uint64_t(level)}),
+                    [&](float& height, float noise, int x, int y) {
+                        const float here = share.empty() ? 1.0f : share(x, y);
+                        height += float(strength) * here * noise;
+                    });
+}
+
+}  // namespace cydonia::detail

@@ -1,0 +1,134 @@
+#include "synth/detail/quilting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "field/parallel.h"
+
+namespace cydonia::detail {
+namespace {
+
+// A run of values along one axis that lie in one block, or in it and the next.
+struct Run {
+    int begin, end, block;
+    bool fades = false;  // into the next one
+    // How far at a value, 0 to 1.
+    float at(int value) const {
+        return (float(value - begin) + 0.5f) / float(end - begin);
+    }
+};
+
+// All runs of an axis whose details have `scale` values a coarse cell.
+std::vector<Run> runs_of(int blocks, int step, int overlap, int scale, int values) {
+    std::vector<Run> runs;
+    int begin = 0;
+    const auto run_to = [&](int end, int block, bool fades) {
+        end = std::min(end, values);
+        if (begin < end) runs.push_back({begin, end, block, fades});
+        begin = std::max(begin, end);
+    };
+    for (int b = 0; b < blocks; ++b) {
+        const int next = (b + 1) * step * scale;
+        const bool last = b + 1 == blocks;
+        run_to(last ? values : next, b, false);
+        if (!last) run_to(next + overlap * scale, b, true);
+    }
+    return runs;
+}
+
+// A part of an example under a run of a row, and how much of it is taken: `weight` at the
+// run's begin, `change` more at its end.
+struct Land {
+    Match match;
+    float weight, change;
+    const float* row = nullptr;  // null where the example has nothing
+    int shift = 0, begin = 0, end = 0;
+};
+
+// One row under one run: up to four blocks' land. What has the same match counts as one.
+class Pile {
+  public:
+    void add(const Match& match, float weight, float change) {
+        for (Land& land : std::span(lands_).first(count_))
+            if (land.match == match) {
+                land.weight += weight, land.change += change;
+                return;
+            }
+        lands_[count_++] = {match, weight, change};
+    }
+    std::span<Land> lands() { return std::span(lands_).first(count_); }
+
+  private:
+    std::array<Land, 4> lands_;
+    std::size_t count_ = 0;
+};
+
+void sum_up(std::span<Land> lands, const Run& run, Fading fading, float* to) {
+    for (int x = run.begin; x < run.end; ++x) {
+        const float t = run.at(x);
+        float sum = 0.0f, squares = 0.0f;
+        for (const Land& land : lands) {
+            const float weight = land.weight + t * land.change;
+            squares += weight * weight;
+            if (land.begin <= x && x < land.end) sum += weight * land.row[x + land.shift];
+        }
+        to[x] = fading == Fading::kMean ? sum : sum / std::sqrt(squares);
+    }
+}
+
+// `of` is what is taken of an example: its details of columns or of rows, which have
+// `scale` values a coarse cell from west to east, and one from north to south.
+template <class Of>
+void blend(const Blocks& blocks, std::span<const Match> matches, const Of& of, int scale,
+           Fading fading, Field<float>& out) {
+    const int across = blocks.across();
+    const auto east = runs_of(across, blocks.step, blocks.overlap, scale, out.width());
+    const auto south =
+        runs_of(blocks.down(), blocks.step, blocks.overlap, 1, out.height());
+    parallel_for(int(south.size()), [&](int i) {
+        const Run& rows = south[std::size_t(i)];
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (const Run& run : east) {
+                Pile pile;
+                const auto lay = [&](int row, float weight) {
+                    const Match* match = &matches[std::size_t(row * across + run.block)];
+                    pile.add(match[0], weight, run.fades ? -weight : 0.0f);
+                    if (run.fades) pile.add(match[1], 0.0f, weight);
+                };
+                const float below = rows.fades ? rows.at(y) : 0.0f;
+                lay(rows.block, 1.0f - below);
+                if (rows.fades) lay(rows.block + 1, below);
+                for (Land& land : pile.lands()) {
+                    if (land.match.example < 0) continue;
+                    const Field<float>& from = of(land.match.example);
+                    const int row = y + land.match.dy;
+                    if (row < 0 || row >= from.height()) continue;
+                    land.row = from.row(row).data();
+                    land.shift = scale * land.match.dx;
+                    land.begin = -land.shift, land.end = from.width() - land.shift;
+                }
+                sum_up(pile.lands(), run, fading, out.row(y).data());
+            }
+    });
+}
+
+}  // namespace
+
+Details quilted(const Blocks& blocks, std::span<const Match> matches,
+                std::span<const Example> examples, int level, Filter filter,
+                Fading fading) {
+    Details details = no_details(filter, blocks.width, blocks.height);
+    const auto of = [&](int example) -> const Details& {
+        return examples[std::size_t(example)].level(level)->details;
+    };
+    blend(
+        blocks, matches, [&](int e) -> const Field<float>& { return of(e).columns; }, 2,
+        fading, details.columns);
+    blend(
+        blocks, matches, [&](int e) -> const Field<float>& { return of(e).rows; }, 1,
+        fading, details.rows);
+    return details;
+}
+
+}  // namespace cydonia::detail
