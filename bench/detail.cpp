@@ -44,7 +44,7 @@ Field<float> made(const Field<float>& coarse, const std::vector<Example>& exampl
                   const Options& options) {
     SilentProgress silent;
     const int factor = 1 << options.levels;
-    return refined(coarse, {}, examples, std::vector{Layer{}}, options,
+    return refined(coarse, {}, examples, std::vector{Layer{}}, options, {},
                    block_side(options, coarse.width() * factor, coarse.height() * factor),
                    1, silent);
 }

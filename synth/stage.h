@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -58,8 +60,13 @@ inline std::string_view whole_because(const StageOptions& options) {
     struct Visitor {
         using Reason = std::string_view;
         Reason operator()(const dem::Options&) const { return "it is one model"; }
-        Reason operator()(const detail::Options&) const {
-            return "its details are put on the whole land";
+        Reason operator()(const detail::Options& o) const {
+            if (o.search == detail::Search::kPatchMatch)
+                return "PatchMatch goes on from block to block; search = \"random\" does "
+                       "not";
+            if (o.paint || !o.mappings.empty())
+                return "paint and mappings lie over the whole land";
+            return {};
         }
         Reason operator()(const distance::Options&) const {
             return "its paths cross the whole land";
@@ -76,12 +83,38 @@ inline std::string_view whole_because(const StageOptions& options) {
     return std::visit(Visitor{}, options);
 }
 
-// width x height of the first stage's heights, from column x and row y on. Not for a
-// stage that is made whole.
-inline Field<float> tile(const StageOptions& options, const texture::Extent& extent,
-                         const Context& context, int x, int y, int width, int height) {
-    return texture::tile(std::get<texture::Options>(options), extent, context, x, y,
-                         width, height);
+// Whether a stage makes land out of nothing, and need not have any before it.
+inline bool makes_land(const StageOptions& options) {
+    return !std::holds_alternative<detail::Options>(options);
+}
+
+// width x height of the heights after a number of stages, from column x and row y on;
+// `context` is that of a stage, counted from 0. Not for stages that are made whole.
+inline Field<float> tile(std::span<const StageOptions* const> stages,
+                         const Extent& extent,
+                         const std::function<Context(int stage)>& context, int x, int y,
+                         int width, int height) {
+    const int last = static_cast<int>(stages.size()) - 1;
+    if (const auto* o = std::get_if<detail::Options>(stages.back()))
+        return detail::tile(
+            *o, extent,
+            [&](int from_x, int from_y, int columns, int rows) {
+                return tile(stages.first(stages.size() - 1), extent, context, from_x,
+                            from_y, columns, rows);
+            },
+            context(last), x, y, width, height);
+    return texture::tile(std::get<texture::Options>(*stages.back()), extent,
+                         context(last), x, y, width, height);
+}
+
+// How many samples beyond a tile its heights depend on.
+inline int reach(std::span<const StageOptions* const> stages, const Extent& extent) {
+    constexpr int kTexture = 128;
+    int samples = kTexture;
+    for (const StageOptions* stage : stages)
+        if (const auto* o = std::get_if<detail::Options>(stage))
+            samples += detail::reach(*o, extent);
+    return samples;
 }
 
 }  // namespace cydonia

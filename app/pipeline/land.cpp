@@ -155,13 +155,14 @@ StageMemory Land::memory_of(int stage) const {
 }
 
 Field<float> Land::tile(int x, int y, int width, int height, Progress& progress) const {
-    const config::StageSpec& spec = spec_.stages.front();
-    return cydonia::tile(spec.options, {width_, height_, spacing_},
-                         {.seed = seed_of_stage(spec_, 0),
-                          .cast = cast,
-                          .progress = &progress,
-                          .cache = cache_},
-                         x, y, width, height);
+    const auto context = [&](int stage) -> Context {
+        return {.seed = seed_of_stage(spec_, stage),
+                .cast = cast,
+                .progress = &progress,
+                .cache = cache_};
+    };
+    return cydonia::tile(spec_.stage_options(), {width_, height_, spacing_}, context, x,
+                         y, width, height);
 }
 
 fs::path Land::cached(int stage) const { return cached_terrain(cache_, key(stage)); }

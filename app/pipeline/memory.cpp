@@ -135,13 +135,18 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
     return kProgram + std::visit(Bytes{cells, threads}, options);
 }
 
-std::uint64_t of_tile(const StageOptions& options, int width, int height,
-                      std::uint64_t threads) {
-    constexpr std::uint64_t kAround = 2 * 128;  // what a tile's cells depend on
+std::uint64_t of_tile(std::span<const StageOptions* const> stages, const Extent& land,
+                      int width, int height, std::uint64_t threads) {
     constexpr std::uint64_t kPicture = 64 * kMega;
-    const std::uint64_t w = static_cast<std::uint64_t>(width) + kAround;
-    const std::uint64_t h = static_cast<std::uint64_t>(height) + kAround;
-    return of_stage(options, w * h, threads) + 16 * w * h + kPicture;
+    const int around = 2 * reach(stages, land);
+    const auto with = [&](int samples, int all) {
+        return static_cast<std::uint64_t>(std::min(samples + around, all));
+    };
+    const std::uint64_t cells = with(width, land.columns) * with(height, land.rows);
+    std::uint64_t most = 0;
+    for (const StageOptions* stage : stages)
+        most = std::max(most, of_stage(*stage, cells, threads));
+    return most + 16 * cells + kPicture;
 }
 
 std::uint64_t of_export(std::uint64_t cells) { return kProgram + 60 * cells; }

@@ -15,9 +15,9 @@ namespace memory {
 
 std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::uint64_t threads);
-// Of a land in tiles, width x height samples, and of putting them together.
-std::uint64_t of_tile(const StageOptions& options, int width, int height,
-                      std::uint64_t threads);
+// Of a land in tiles, each width x height samples, and of putting them together.
+std::uint64_t of_tile(std::span<const StageOptions* const> stages, const Extent& land,
+                      int width, int height, std::uint64_t threads);
 std::uint64_t of_export(std::uint64_t cells);
 // At most `samples` along the longer side.
 std::uint64_t of_solid(std::uint64_t cells, int samples);

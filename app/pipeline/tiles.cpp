@@ -203,7 +203,9 @@ Made make_terrain(Job& job) {
 std::uint64_t memory_of(const Job& job) {
     const Grid grid = grid_of(job);
     const Tile largest = grid.at(0, 0);
-    return memory::of_tile(job.spec.stages.front().options, largest.width, largest.height,
+    return memory::of_tile(job.spec.stage_options(),
+                           {job.land.width(), job.land.height(), job.land.spacing()},
+                           largest.width, largest.height,
                            static_cast<std::uint64_t>(thread_count()));
 }
 

@@ -56,6 +56,12 @@ struct SceneSpec {
     std::string render_text;  // canonical form of [render]
     FramesSpec frames;
     std::string frames_text;  // canonical form of [frames]
+
+    std::vector<const StageOptions*> stage_options() const {
+        std::vector<const StageOptions*> options;
+        for (const StageSpec& stage : stages) options.push_back(&stage.options);
+        return options;
+    }
 };
 
 // What a scene file may hold, as JSON Schema (draft 7) for editors: every key that the

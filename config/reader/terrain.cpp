@@ -42,11 +42,14 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
     t.check(samples <= kMostTiles * tiles, {"tiles"},
             fmt::format("at most {} a side: let them have {} samples or more", kMostTiles,
                         (samples - 1) / kMostTiles / 256 * 256 + 256));
-    t.check(stages.size() <= 1, {"tiles"}, "land in tiles has one stage");
-    if (stages.size() != 1) return;
-    const std::string_view reason = whole_because(stages[0].options);
-    t.check(reason.empty(), {"tiles"},
-            fmt::format("this stage's land cannot be made in tiles: {}", reason));
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const StageOptions& options = stages[i].options;
+        const std::string_view reason = whole_because(options);
+        t.check(reason.empty(), {"tiles"},
+                fmt::format("land of stage[{}] cannot be made in tiles: {}", i, reason));
+        t.check(makes_land(options) == (i == 0), {"tiles"},
+                "land in tiles has one stage that makes it, and details after that");
+    }
 }
 
 }  // namespace

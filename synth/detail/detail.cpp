@@ -47,14 +47,20 @@ std::span<const Example> of_target(std::span<const Example> all, int target) {
     return {range.begin(), range.end()};
 }
 
+// A block's side in cells of a level's coarse land.
+int cells_of(double side, int level) {
+    return int(std::lround(std::ldexp(side, -level - 1)));
+}
+
 // One layer, from level to level.
 class Quilt {
   public:
     Quilt(const Layer& layer, std::span<const Example> examples, const Options& options,
-          double side, std::uint64_t seed)
+          const Window& window, double side, std::uint64_t seed)
         : layer_(layer),
           examples_(of_target(examples, layer.target)),
           options_(options),
+          finest_(window),
           side_(side),
           seed_(seed) {
         if (!options.adapt) return;
@@ -83,37 +89,51 @@ class Quilt {
                 int level, const Field<float>& rough) {
         match(coarse, share, level);
         const bool noise = options_.kind == Kind::kMultifractal;
-        Details found = quilted(blocks_, matches_, examples_, level, options_.filter,
+        Details found = quilted(coarse.width(), coarse.height(), window(level, coarse),
+                                blocks_, matches_, examples_, level, options_.filter,
                                 noise ? Fading::kMean : Fading::kVariance);
-        if (noise) make_noise(found, seed_, level);
+        if (noise) make_noise(found, window(level, coarse), seed_, level);
         Field<float> weight = share;
         if (options_.adapt)
-            weight = product(gain_of(blocks_, matches_, rough, roughness_,
-                                     options_.levels - 1 - level),
-                             share);
+            weight = product(
+                gain_of(coarse.width(), coarse.height(), window(level, coarse), blocks_,
+                        matches_, rough, roughness_, options_.levels - 1 - level),
+                share);
         add(found, weight, float(options_.strength), details);
     }
 
     void add_noise_to(Field<float>& land, int level) const {
         const double scale =
             fractal_scale(examples_, options_.filter, level, options_.levels);
-        add_noise(land, options_.strength * scale, share(level, land), seed_, level);
+        add_noise(land, window(level - 1, land), options_.strength * scale,
+                  share(level, land), seed_, level);
     }
 
   private:
+    // Where a level's coarse land lies in the whole level's.
+    Window window(int level, const Field<float>& coarse) const {
+        if (finest_.width == 0) return {0, 0, coarse.width(), coarse.height()};
+        Window window{finest_.x >> (level + 1), finest_.y >> (level + 1), finest_.width,
+                      finest_.height};
+        for (int i = 0; i <= level; ++i) {
+            window.width = coarser(options_.filter, window.width);
+            window.height = coarser(options_.filter, window.height);
+        }
+        return window;
+    }
+
     void match(const Field<float>& coarse, const Field<float>& share, int level) {
+        const Window here = window(level, coarse);
         if (layer_.shift) {
             const auto [dx, dy] = *layer_.shift;
-            blocks_ = {coarse.width(), coarse.height(),
-                       std::max(coarse.width(), coarse.height()), 0};
+            blocks_ = {here.width, here.height, std::max(here.width, here.height), 0};
             matches_ = {{0, dx >> (level + 1), dy >> (level + 1)}};
             return;
         }
         const Blocks before = std::exchange(
-            blocks_, blocks_of(coarse.width(), coarse.height(),
-                               int(std::lround(std::ldexp(side_, -level - 1)))));
+            blocks_, blocks_of(here.width, here.height, cells_of(side_, level)));
         const Searching searching{options_.search, options_.candidates, level, seed_};
-        matches_ = matched(coarse, blocks_, examples_, searching, before, matches_,
+        matches_ = matched(coarse, here, blocks_, examples_, searching, before, matches_,
                            [&](int block) { return touches(block, share); });
     }
 
@@ -130,6 +150,7 @@ class Quilt {
     const Layer& layer_;
     std::span<const Example> examples_;
     const Options& options_;
+    Window finest_;
     double side_;
     std::uint64_t seed_;
     Blocks blocks_;
@@ -137,15 +158,46 @@ class Quilt {
     std::vector<Field<float>> roughness_;  // of the examples' coarsest land
 };
 
+std::vector<Example> prepared(const Options& options, double spacing,
+                              Progress& progress) {
+    progress.step("detail: reading the targets");
+    std::vector<Example> examples = examples_of(options, spacing, progress);
+    if (options.kind == Kind::kMultifractal)
+        for (Example& example : examples) take_scale(example);
+    return examples;
+}
+
+// A part of a land of `extent`, from column x and row y on, with other details. What ends
+// inside the land is mirrored there, and wrong as far as reach().
+Field<float> made(const Field<float>& part, int x, int y, const Extent& extent,
+                  std::span<const Example> examples, std::span<const Layer> layers,
+                  const Options& options, const Context& context) {
+    context.progress->step("detail: quilting");
+    const auto whole = [&](int samples) {
+        return divisible(options.filter, samples, options.levels);
+    };
+    const auto padded_to = [&](int samples, int from, int all) {
+        return from + samples == all ? whole(all) - from : whole(samples);
+    };
+    const std::vector<Level> own =
+        decomposed(padded(part, padded_to(part.width(), x, extent.columns),
+                          padded_to(part.height(), y, extent.rows)),
+                   options.filter, options.levels);
+    return refined(own.back().coarse, own, examples, layers, options,
+                   {x, y, whole(extent.columns), whole(extent.rows)},
+                   block_side(options, extent.columns, extent.rows), context.seed,
+                   *context.progress);
+}
+
 }  // namespace
 
 Field<float> refined(Field<float> coarse, std::span<const Level> own,
                      std::span<const Example> examples, std::span<const Layer> layers,
-                     const Options& options, double side, std::uint64_t seed,
-                     Progress& progress) {
+                     const Options& options, const Window& window, double side,
+                     std::uint64_t seed, Progress& progress) {
     std::vector<Quilt> quilts;
     for (const Layer& layer : layers)
-        quilts.emplace_back(layer, examples, options, side, seed);
+        quilts.emplace_back(layer, examples, options, window, side, seed);
     Field<float> rough;
     if (options.adapt) rough = roughness_of(coarse, options.filter);
     for (int level = options.levels - 1; level >= 0; --level) {
@@ -171,41 +223,65 @@ Field<float> refined(Field<float> coarse, std::span<const Level> own,
 }
 
 Terrain run(const Options& options, const Terrain& terrain, const Context& context) {
-    Progress& progress = *context.progress;
-    progress.step("detail: reading the targets");
-    std::vector<Example> examples = examples_of(options, terrain.spacing, progress);
     const Field<float>& heights = terrain.heights;
-    const int width = heights.width(), height = heights.height();
-    const std::vector<Layer> layers = layers_of(options, examples, width, height);
-    if (options.kind == Kind::kMultifractal)
-        for (Example& example : examples) take_scale(example);
-
-    progress.step("detail: quilting");
-    const std::vector<Level> own =
-        decomposed(padded(heights, divisible(options.filter, width, options.levels),
-                          divisible(options.filter, height, options.levels)),
-                   options.filter, options.levels);
-    const Field<float> made =
-        refined(own.back().coarse, own, examples, layers, options,
-                block_side(options, width, height), context.seed, progress);
-
+    const Extent extent{heights.width(), heights.height(), terrain.spacing};
+    const auto examples = prepared(options, terrain.spacing, *context.progress);
+    const auto layers = layers_of(options, examples, extent.columns, extent.rows);
+    const Field<float> detailed =
+        made(heights, 0, 0, extent, examples, layers, options, context);
+    // Where edges are soft, details reach a little further than their share.
+    const auto share = [&](int x, int y) {
+        float sum = 0.0f;
+        for (const Layer& layer : layers)
+            sum += layer.share.empty() ? 1.0f : 8.0f * layer.share(x, y);
+        return std::min(1.0f, sum);
+    };
     Terrain result = terrain;
-    parallel_for(height, 16, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            // Where edges are soft, details reach a little further than their share.
-            float touched = 0.0f;
-            for (const Layer& layer : layers)
-                touched += layer.share.empty() ? 1.0f : 8.0f * layer.share(x, y);
-            const float share = std::min(1.0f, touched);
-            if (share > 0.0f)
-                result.heights(x, y) += share * (made(x, y) - heights(x, y));
-        }
-    });
     double squares = 0.0;
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        squares += std::pow(double(result.heights[i]) - heights[i], 2.0);
+    for (int y = 0; y < extent.rows; ++y)
+        for (int x = 0; x < extent.columns; ++x) {
+            const float s = share(x, y), change = detailed(x, y) - heights(x, y);
+            if (s > 0.0f)
+                result.heights(x, y) =
+                    s < 1.0f ? heights(x, y) + s * change : detailed(x, y);
+            squares += double(s * change) * (s * change);
+        }
     result.figures["detail: change, RMS, m"] =
         std::sqrt(squares / double(heights.size()));
+    return result;
+}
+
+int reach(const Options& options, const Extent& extent) {
+    // Filters' ends, and around which the land's roughness counts.
+    int samples = 24 << options.levels;
+    const double side = block_side(options, extent.columns, extent.rows);
+    for (int level = 0; level < options.levels; ++level) {
+        const Blocks blocks =
+            blocks_of(extent.columns, extent.rows, cells_of(side, level));
+        samples += (blocks.side() + 4) << (level + 1);
+    }
+    return samples;
+}
+
+Field<float> tile(const Options& options, const Extent& extent, const Heights& before,
+                  const Context& context, int x, int y, int width, int height) {
+    const int around = reach(options, extent);
+    const auto begin = [&](int at) {
+        // Of all levels and the one above them, which tells how rough the land is.
+        const int grain = options.levels + 1;
+        return std::max(0, at - around) >> grain << grain;
+    };
+    const int left = begin(x), top = begin(y);
+    const Field<float> part =
+        before(left, top, std::min(extent.columns, x + width + around) - left,
+               std::min(extent.rows, y + height + around) - top);
+    const Field<float> detailed = made(
+        part, left, top, extent, prepared(options, extent.spacing, *context.progress),
+        std::vector{Layer{}}, options, context);
+    Field<float> result(width, height);
+    for (int row = 0; row < height; ++row)
+        std::copy_n(detailed.row(y - top + row).begin() + (x - left), width,
+                    result.row(row).begin());
     return result;
 }
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <functional>
+
 #include "field/terrain.h"
 #include "synth/context.h"
 #include "synth/detail/example.h"
 #include "synth/detail/layers.h"
+#include "synth/detail/window.h"
+#include "synth/extent.h"
 
 namespace cydonia::detail {
 
@@ -17,13 +21,26 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
 
 inline constexpr int kVersion = 1;  // raised when the same options give other heights
 
+// Heights of the land so far: so many, from a column and a row on.
+using Heights = std::function<Field<float>(int x, int y, int width, int height)>;
+
+// width x height of the heights that run() gives, from column x and row y on, to the last
+// bit. Not with PatchMatch, which goes on from block to block, nor with a painting or
+// mappings.
+Field<float> tile(const Options& options, const Extent& extent, const Heights& before,
+                  const Context& context, int x, int y, int width, int height);
+
+// How many samples beyond a tile of a land so large its heights may depend on.
+int reach(const Options& options, const Extent& extent);
+
 // From a coarse land up, by as many levels as options say: sides as the filter divides
 // them (20, 38, 74 and 146 samples with Chaikin's). `own`: the land's own details, the
-// finest level first, for where layers leave some of them; may be empty. `side` of a
-// block in samples of the finest level.
+// finest level first, for where layers leave some of them; may be empty. `window`: of
+// which whole the result is a part, at a multiple of 2^levels samples; empty: of none.
+// `side`: of a block, in samples of the result.
 Field<float> refined(Field<float> coarse, std::span<const Level> own,
                      std::span<const Example> examples, std::span<const Layer> layers,
-                     const Options& options, double side, std::uint64_t seed,
-                     Progress& progress);
+                     const Options& options, const Window& window, double side,
+                     std::uint64_t seed, Progress& progress);
 
 }  // namespace cydonia::detail

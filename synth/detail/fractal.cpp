@@ -21,38 +21,35 @@ float nearly_normal(std::uint64_t h) {
 }
 
 template <class Change>
-void change_by_noise(Field<float>& field, std::uint64_t seed, const Change& change) {
+void change_by_noise(Field<float>& field, int from_x, int from_y, std::uint64_t seed,
+                     const Change& change) {
     parallel_for(field.height(), 16, [&](int y) {
-        const std::uint64_t row = hash_of({seed, std::uint64_t(y)});
+        const std::uint64_t row = hash_of({seed, std::uint64_t(from_y + y)});
         for (int x = 0; x < field.width(); ++x)
-            change(field(x, y), nearly_normal(mix(row + std::uint64_t(x))), x, y);
+            change(field(x, y), nearly_normal(mix(row + std::uint64_t(from_x + x))), x,
+                   y);
     });
 }
 
 }  // namespace
 
-// By running sums.
 Field<float> strength_of(const Field<float>& values, int around) {
     const int w = values.width(), h = values.height();
-    const auto means = [&](int count, auto&& value, auto&& put) {
-        double sum = 0.0;
-        int in = 0;
-        for (int i = -around; i < count; ++i) {
-            if (i + around < count) sum += value(i + around), ++in;
-            if (i - around - 1 >= 0) sum -= value(i - around - 1), --in;
-            if (i >= 0) put(i, static_cast<float>(std::max(0.0, sum) / in));
-        }
+    // Summed anew for each, so that a part has what the whole has, to the bit.
+    const auto mean = [&](int at, int count, auto&& value) {
+        const int from = std::max(0, at - around), to = std::min(count - 1, at + around);
+        float sum = 0.0f;
+        for (int i = from; i <= to; ++i) sum += value(i);
+        return sum / float(to - from + 1);
     };
     Field<float> across(w, h), result(w, h);
     parallel_for(h, 16, [&](int y) {
-        means(
-            w, [&](int x) { return double(values(x, y)) * values(x, y); },
-            [&](int x, float mean) { across(x, y) = mean; });
+        for (int x = 0; x < w; ++x)
+            across(x, y) = mean(x, w, [&](int i) { return values(i, y) * values(i, y); });
     });
-    parallel_for(w, 16, [&](int x) {
-        means(
-            h, [&](int y) { return double(across(x, y)); },
-            [&](int y, float mean) { result(x, y) = std::sqrt(mean); });
+    parallel_for(h, 16, [&](int y) {
+        for (int x = 0; x < w; ++x)
+            result(x, y) = std::sqrt(mean(y, h, [&](int j) { return across(x, j); }));
     });
     return result;
 }
@@ -64,13 +61,13 @@ void take_scale(Example& example) {
     }
 }
 
-void make_noise(Details& strengths, std::uint64_t seed, int level) {
+void make_noise(Details& strengths, const Window& window, std::uint64_t seed, int level) {
     const auto times = [](float& value, float noise, int, int) { value *= noise; };
     const auto of = [&](const char* which) {
         return hash_of({seed, key(which), std::uint64_t(level)});
     };
-    change_by_noise(strengths.columns, of("columns"), times);
-    change_by_noise(strengths.rows, of("rows"), times);
+    change_by_noise(strengths.columns, 2 * window.x, window.y, of("columns"), times);
+    change_by_noise(strengths.rows, window.x, window.y, of("rows"), times);
 }
 
 double fractal_scale(std::span<const Example> examples, Filter filter, int level,
@@ -90,9 +87,10 @@ double fractal_scale(std::span<const Example> examples, Filter filter, int level
     return coarsest * std::exp2(-kHurst * (levels - 1 - level));
 }
 
-void add_noise(Field<float>& land, double strength, const Field<float>& share,
-               std::uint64_t seed, int level) {
-    change_by_noise(land, hash_of({seed, key("addition"), std::uint64_t(level)}),
+void add_noise(Field<float>& land, const Window& window, double strength,
+               const Field<float>& share, std::uint64_t seed, int level) {
+    change_by_noise(land, window.x, window.y,
+                    hash_of({seed, key("addition"), std::uint64_t(level)}),
                     [&](float& height, float noise, int x, int y) {
                         const float here = share.empty() ? 1.0f : share(x, y);
                         height += float(strength) * here * noise;

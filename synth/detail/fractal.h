@@ -3,6 +3,7 @@
 #include <span>
 
 #include "synth/detail/example.h"
+#include "synth/detail/window.h"
 
 namespace cydonia::detail {
 
@@ -13,8 +14,9 @@ Field<float> strength_of(const Field<float>& values, int around);
 // of a multi-fractal (Brosz 2007, section 5.1).
 void take_scale(Example& example);
 
-// Strengths times normal noise of a level: a multi-fractal's details.
-void make_noise(Details& strengths, std::uint64_t seed, int level);
+// Strengths times normal noise of a level: a multi-fractal's details. Of a window of the
+// whole level's coarse land.
+void make_noise(Details& strengths, const Window& window, std::uint64_t seed, int level);
 
 // How strong the noise of a level is, metres: of the examples' coarsest level what
 // subdivision alone does not give, and 2^-H less at each finer one (Voss 1985).
@@ -23,7 +25,8 @@ double fractal_scale(std::span<const Example> examples, Filter filter, int level
 
 // Adds normal noise of that strength, times `share` (empty: 1), to all samples:
 // successive random additions.
-void add_noise(Field<float>& land, double strength, const Field<float>& share,
-               std::uint64_t seed, int level);
+// The land is a window of the whole.
+void add_noise(Field<float>& land, const Window& window, double strength,
+               const Field<float>& share, std::uint64_t seed, int level);
 
 }  // namespace cydonia::detail

@@ -50,9 +50,15 @@ struct Candidate {
 // Searches the examples that have details for one level.
 class Finder {
   public:
-    Finder(const Field<float>& land, std::span<const Example> examples,
-           const Searching& searching)
-        : land_(land), examples_(examples), searching_(searching) {}
+    Finder(const Field<float>& land, const Window& window,
+           std::span<const Example> examples, const Searching& searching)
+        : land_(land), window_(window), examples_(examples), searching_(searching) {}
+
+    bool holds(const Rect& r) const {
+        return land_.contains(r.x - window_.x, r.y - window_.y) &&
+               land_.contains(r.x + r.width - 1 - window_.x,
+                              r.y + r.height - 1 - window_.y);
+    }
 
     // Of nothing but the block, the best of some at random, of all, or of `first`.
     Candidate best(const Rect& r, int block, std::span<const Match> first) const {
@@ -100,6 +106,9 @@ class Finder {
     }
 
   private:
+    const float* row_of(const Rect& r, int y) const {
+        return &land_(r.x - window_.x, r.y + y - window_.y);
+    }
     const Level* coarse_of(int example) const {
         return examples_[std::size_t(example)].level(searching_.level);
     }
@@ -128,9 +137,9 @@ class Finder {
         // still add in one order.
         constexpr int kLanes = 8;
         std::array<float, kLanes> sum{}, squares{};
-        const float offset = land_(r.x, r.y) - level->coarse(x0, y0);
+        const float offset = row_of(r, 0)[0] - level->coarse(x0, y0);
         for (int y = 0; y < r.height; ++y) {
-            const float* a = &land_(r.x, r.y + y);
+            const float* a = row_of(r, y);
             const float* b = &level->coarse(x0, y0 + y);
             int x = 0;
             for (; x + kLanes <= r.width; x += kLanes)
@@ -182,10 +191,10 @@ class Finder {
         double mean = 0.0;
         for (int y = 0; y < r.height; ++y)
             for (int x = 0; x < r.width; ++x)
-                mean += land_(r.x + x, r.y + y) / (double(r.width) * r.height);
+                mean += row_of(r, y)[x] / (double(r.width) * r.height);
         for (int y = 0; y < r.height; ++y)
             for (int x = 0; x < r.width; ++x)
-                block.at<float>(y, x) = float(land_(r.x + x, r.y + y) - mean);
+                block.at<float>(y, x) = float(row_of(r, y)[x] - mean);
         for_all([&](int e, const Level& level) {
             const Room room = room_in(level.coarse, r);
             if (!room.any()) return;
@@ -224,6 +233,7 @@ class Finder {
     }
 
     const Field<float>& land_;
+    const Window& window_;
     std::span<const Example> examples_;
     const Searching& searching_;
 };
@@ -260,11 +270,15 @@ Blocks blocks_of(int width, int height, int side) {
     return {width, height, side - overlap, overlap};
 }
 
-std::vector<Match> matched(const Field<float>& land, const Blocks& blocks,
-                           std::span<const Example> examples, const Searching& searching,
-                           const Blocks& blocks_before, std::span<const Match> before,
-                           const std::function<bool(int block)>& wanted) {
-    const Finder finder(land, examples, searching);
+std::vector<Match> matched(const Field<float>& land, const Window& window,
+                           const Blocks& blocks, std::span<const Example> examples,
+                           const Searching& searching, const Blocks& blocks_before,
+                           std::span<const Match> before,
+                           const std::function<bool(int block)>& asked) {
+    const Finder finder(land, window, examples, searching);
+    const auto wanted = [&](int block) {
+        return finder.holds(rect_of(blocks, block)) && asked(block);
+    };
     const int count = blocks.across() * blocks.down();
     if (!finder.fits(rect_of(blocks, 0)))
         throw bad_request(

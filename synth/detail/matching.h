@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "synth/detail/example.h"
+#include "synth/detail/window.h"
 
 namespace cydonia::detail {
 
-// A level's coarse land in blocks: in rows, each `step` cells from the one before it and
-// `overlap` wider, so that so many cells are both's.
+// A level's whole coarse land in blocks: in rows, each `step` cells from the one before
+// it and `overlap` wider, so that so many cells are both's.
 struct Blocks {
     int width = 0, height = 0;  // of the land, cells
     int step = 1, overlap = 0;
@@ -48,14 +49,16 @@ struct Searching {
     std::uint64_t seed;
 };
 
-// For each block, row by row, the part of an example whose coarse land is most like the
-// block's, up to the height of both: the least sum of squared differences after their
-// means are taken away (Brosz 2007, section 5.2). `before`: the blocks' matches one level
-// coarser, tried too; may be empty. Blocks that are not `wanted` have no match. Throws
-// bad_request: no example is large enough for a block.
-std::vector<Match> matched(const Field<float>& land, const Blocks& blocks,
-                           std::span<const Example> examples, const Searching& searching,
-                           const Blocks& blocks_before, std::span<const Match> before,
+// For each block of the whole that lies in `land`, a window of it, row by row, the part
+// of an example whose coarse land is most like the block's, up to the height of both: the
+// least sum of squared differences after their means are taken away (Brosz 2007,
+// section 5.2). `before`: the blocks' matches one level coarser, tried too; may be empty.
+// Other blocks, and those that are not `wanted`, have no match. Throws bad_request: no
+// example is large enough for a block.
+std::vector<Match> matched(const Field<float>& land, const Window& window,
+                           const Blocks& blocks, std::span<const Example> examples,
+                           const Searching& searching, const Blocks& blocks_before,
+                           std::span<const Match> before,
                            const std::function<bool(int block)>& wanted);
 
 }  // namespace cydonia::detail

@@ -19,21 +19,22 @@ struct Run {
     }
 };
 
-// All runs of an axis whose details have `scale` values a coarse cell.
-std::vector<Run> runs_of(int blocks, int step, int overlap, int scale, int values) {
+// The runs of an axis, from value `from` to `to`, whose details have `scale` values a
+// coarse cell.
+std::vector<Run> runs_of(int blocks, int step, int overlap, int scale, int from, int to) {
     std::vector<Run> runs;
-    int begin = 0;
-    const auto run_to = [&](int end, int block, bool fades) {
-        end = std::min(end, values);
-        if (begin < end) runs.push_back({begin, end, block, fades});
-        begin = std::max(begin, end);
-    };
     for (int b = 0; b < blocks; ++b) {
-        const int next = (b + 1) * step * scale;
-        const bool last = b + 1 == blocks;
-        run_to(last ? values : next, b, false);
-        if (!last) run_to(next + overlap * scale, b, true);
+        const int begin = b == 0 ? 0 : (b * step + overlap) * scale;
+        const int next = (b + 1) * step * scale, after = next + overlap * scale;
+        if (b + 1 == blocks) {
+            runs.push_back({begin, std::max(begin, to), b});
+        } else {
+            runs.push_back({begin, next, b});
+            runs.push_back({next, after, b, true});
+        }
     }
+    std::erase_if(runs,
+                  [&](const Run& run) { return run.end <= from || run.begin >= to; });
     return runs;
 }
 
@@ -64,8 +65,11 @@ class Pile {
     std::size_t count_ = 0;
 };
 
-void sum_up(std::span<Land> lands, const Run& run, Fading fading, float* to) {
-    for (int x = run.begin; x < run.end; ++x) {
+// `to` is as long as `from` to `end`.
+void sum_up(std::span<Land> lands, const Run& run, Fading fading, int from,
+            std::span<float> to) {
+    const int end = std::min(run.end, from + int(to.size()));
+    for (int x = std::max(run.begin, from); x < end; ++x) {
         const float t = run.at(x);
         float sum = 0.0f, squares = 0.0f;
         for (const Land& land : lands) {
@@ -73,22 +77,25 @@ void sum_up(std::span<Land> lands, const Run& run, Fading fading, float* to) {
             squares += weight * weight;
             if (land.begin <= x && x < land.end) sum += weight * land.row[x + land.shift];
         }
-        to[x] = fading == Fading::kMean ? sum : sum / std::sqrt(squares);
+        to[std::size_t(x - from)] =
+            fading == Fading::kMean ? sum : sum / std::sqrt(squares);
     }
 }
 
 // `of` is what is taken of an example: its details of columns or of rows, which have
 // `scale` values a coarse cell from west to east, and one from north to south.
 template <class Of>
-void blend(const Blocks& blocks, std::span<const Match> matches, const Of& of, int scale,
-           Fading fading, Field<float>& out) {
-    const int across = blocks.across();
-    const auto east = runs_of(across, blocks.step, blocks.overlap, scale, out.width());
-    const auto south =
-        runs_of(blocks.down(), blocks.step, blocks.overlap, 1, out.height());
+void blend(const Window& window, const Blocks& blocks, std::span<const Match> matches,
+           const Of& of, int scale, Fading fading, Field<float>& out) {
+    const int across = blocks.across(), left = scale * window.x;
+    const auto east =
+        runs_of(across, blocks.step, blocks.overlap, scale, left, left + out.width());
+    const auto south = runs_of(blocks.down(), blocks.step, blocks.overlap, 1, window.y,
+                               window.y + out.height());
     parallel_for(int(south.size()), [&](int i) {
         const Run& rows = south[std::size_t(i)];
-        for (int y = rows.begin; y < rows.end; ++y)
+        const int end = std::min(rows.end, window.y + out.height());
+        for (int y = std::max(rows.begin, window.y); y < end; ++y)
             for (const Run& run : east) {
                 Pile pile;
                 const auto lay = [&](int row, float weight) {
@@ -108,26 +115,28 @@ void blend(const Blocks& blocks, std::span<const Match> matches, const Of& of, i
                     land.shift = scale * land.match.dx;
                     land.begin = -land.shift, land.end = from.width() - land.shift;
                 }
-                sum_up(pile.lands(), run, fading, out.row(y).data());
+                sum_up(pile.lands(), run, fading, left, out.row(y - window.y));
             }
     });
 }
 
 }  // namespace
 
-Details quilted(const Blocks& blocks, std::span<const Match> matches,
+Details quilted(int coarse_width, int coarse_height, const Window& window,
+                const Blocks& blocks, std::span<const Match> matches,
                 std::span<const Example> examples, int level, Filter filter,
                 Fading fading) {
-    Details details = no_details(filter, blocks.width, blocks.height);
+    Details details = no_details(filter, coarse_width, coarse_height);
     const auto of = [&](int example) -> const Details& {
         return examples[std::size_t(example)].level(level)->details;
     };
     blend(
-        blocks, matches, [&](int e) -> const Field<float>& { return of(e).columns; }, 2,
-        fading, details.columns);
+        window, blocks, matches,
+        [&](int e) -> const Field<float>& { return of(e).columns; }, 2, fading,
+        details.columns);
     blend(
-        blocks, matches, [&](int e) -> const Field<float>& { return of(e).rows; }, 1,
-        fading, details.rows);
+        window, blocks, matches, [&](int e) -> const Field<float>& { return of(e).rows; },
+        1, fading, details.rows);
     return details;
 }
 

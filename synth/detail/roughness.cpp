@@ -30,16 +30,16 @@ Field<float> roughness_of(const Field<float>& land, Filter filter) {
     return result;
 }
 
-Field<float> gain_of(const Blocks& blocks, std::span<const Match> matches,
-                     const Field<float>& land, std::span<const Field<float>> examples,
-                     int finer) {
+Field<float> gain_of(int width, int height, const Window& window, const Blocks& blocks,
+                     std::span<const Match> matches, const Field<float>& land,
+                     std::span<const Field<float>> examples, int finer) {
     Field<float> gain(land.width(), land.height());
     const int cell = 1 << finer;
     for (int y = 0; y < gain.height(); ++y)
         for (int x = 0; x < gain.width(); ++x) {
             // A cell's middle among the blocks' cells.
-            const int i = std::min(x * cell + cell / 2, blocks.width - 1),
-                      j = std::min(y * cell + cell / 2, blocks.height - 1);
+            const int i = std::min(window.x + x * cell + cell / 2, blocks.width - 1),
+                      j = std::min(window.y + y * cell + cell / 2, blocks.height - 1);
             const Match& match = matches[std::size_t(blocks.at(i, j))];
             if (match.example < 0) continue;
             const Field<float>& example = examples[std::size_t(match.example)];
@@ -48,7 +48,7 @@ Field<float> gain_of(const Blocks& blocks, std::span<const Match> matches,
             gain(x, y) = std::min(kMost, land(x, y) / std::max(kLevel, example(ex, ey)));
         }
     if (finer == 0) return gain;
-    gain = sampled(gain, {0.0, 0.0, 1.0 / cell}, blocks.width, blocks.height);
+    gain = sampled(gain, {0.0, 0.0, 1.0 / cell}, width, height);
     for (float& g : gain) g = std::clamp(g, 0.0f, kMost);
     return gain;
 }

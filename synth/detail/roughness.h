@@ -11,10 +11,10 @@ namespace cydonia::detail {
 Field<float> roughness_of(const Field<float>& land, Filter filter);
 
 // How many times rougher a level's land is than what its blocks take their details from,
-// by `land`, the roughness of the coarsest land, and `examples`', of theirs. Of the shape
-// of the blocks' land, `finer` levels finer than the coarsest.
-Field<float> gain_of(const Blocks& blocks, std::span<const Match> matches,
-                     const Field<float>& land, std::span<const Field<float>> examples,
-                     int finer);
+// by `land`, the roughness of the coarsest land, and `examples`', of theirs. So large, in
+// a window of the blocks' land, `finer` levels finer than the coarsest.
+Field<float> gain_of(int width, int height, const Window& window, const Blocks& blocks,
+                     std::span<const Match> matches, const Field<float>& land,
+                     std::span<const Field<float>> examples, int finer);
 
 }  // namespace cydonia::detail

@@ -2,6 +2,7 @@
 
 #include "field/terrain.h"
 #include "synth/context.h"
+#include "synth/extent.h"
 #include "synth/texture/options.h"
 
 namespace cydonia::texture {
@@ -11,15 +12,6 @@ namespace cydonia::texture {
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
 inline constexpr int kVersion = 4;  // raised when the same options give other heights
-
-// The samples of a terrain.
-struct Extent {
-    int columns = 0, rows = 0;
-    double spacing = 1.0;  // metres
-
-    double width() const { return spacing * columns; }
-    double depth() const { return spacing * rows; }
-};
 
 // width x height of the heights that run() gives, from column x and row y on, to the last
 // bit: a cell depends on a bounded part of the plane. Not of land that is breached or

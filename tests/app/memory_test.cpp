@@ -45,11 +45,25 @@ TEST(Memory, OfLandFromExemplarsGrowsWithThemToo) {
 }
 
 TEST(Memory, OfATileIsThatOfItsSizeWhateverTheLandHas) {
-    const StageOptions stage = texture::Options{};
-    const std::uint64_t tile = memory::of_tile(stage, 2048, 2048, 2);
-    EXPECT_GT(tile, memory::of_stage(stage, 2048 * 2048, 2));
-    EXPECT_LT(tile, 1'000'000'000u);
-    EXPECT_LT(memory::of_tile(stage, 256, 256, 2), tile);
+    const StageOptions texture = texture::Options{};
+    const std::vector<const StageOptions*> stages{&texture};
+    const auto tile = [&](int side) {
+        return memory::of_tile(stages, {65536, 65536, 10.0}, side, side, 2);
+    };
+    EXPECT_GT(tile(2048), memory::of_stage(texture, 2048 * 2048, 2));
+    EXPECT_LT(tile(2048), 1'000'000'000u);
+    EXPECT_LT(tile(256), tile(2048));
+}
+
+// Details depend on land as far as their blocks reach, which are shares of the land.
+TEST(Memory, OfATileWithDetailsGrowsWithTheLand) {
+    const StageOptions texture = texture::Options{}, detail = detail::Options{};
+    const std::vector<const StageOptions*> plain{&texture}, stages{&texture, &detail};
+    const auto tile = [&](const auto& of, int side) {
+        return memory::of_tile(of, {side, side, 10.0}, 512, 512, 2);
+    };
+    EXPECT_EQ(tile(plain, 8192), tile(plain, 16384));
+    EXPECT_GT(tile(stages, 16384), tile(stages, 8192));
 }
 
 TEST(Memory, TheMachineHasSome) {

@@ -70,6 +70,24 @@ TEST_F(Tiles, AreTheLandMadeWhole) {
     EXPECT_EQ(temporary_files(folder.path()), Names{});
 }
 
+TEST_F(Tiles, WithDetailsTooAreTheLandMadeWhole) {
+    const std::string details = R"([[terrain.stage]]
+method = "detail"
+targets = "hills.tif"
+levels = 2
+block = 0.06
+)";
+    folder.write("land.toml", kScene + details);
+    ASSERT_EQ(synth({"--set", "terrain.tiles=0", "-o", "whole"}).code, 0);
+    const Outcome outcome = synth();
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(heights(out / "terrain.tif"), heights(folder / "whole/terrain.tif"));
+    const Outcome refused =
+        synth({"--set", "terrain.stage[1].search=patchmatch", "-o", "no"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("PatchMatch goes on"), std::string::npos) << refused.err;
+}
+
 TEST_F(Tiles, InAnyOrderByProcessesOfTheirOwn) {
     ASSERT_EQ(synth({"-o", "alone"}).code, 0);
     for (const char* place : {"1,1", "0,0"})

@@ -46,7 +46,8 @@ TEST_F(Tiles, SizesThatBlocksAndFoldersTake) {
 
 TEST_F(Tiles, OneStageThatMakesAnyPartAlone) {
     const std::string tiles = "tiles = 256\n";
-    expect_wrong("tiles: land in tiles has one stage", tiles, kTexture + kLeastScene);
+    expect_wrong("one stage that makes it, and details after", tiles,
+                 kTexture + kTexture);
     expect_wrong("its paths cross the whole land", tiles, kLeastScene);
     expect_wrong("breach follows", tiles, kTexture + "breach = true\n");
     expect_wrong("coherent keeps", tiles, kTexture + "coherent = true\n");

@@ -181,6 +181,42 @@ TEST_F(Detail, ThreadsDoNotMatter) {
         }
 }
 
+// A part of the land that is made alone has the bytes that it has in the whole.
+TEST_F(Detail, TilesAreTheLandMadeWhole) {
+    const Field<float> land = mountains(430, 390, 31);
+    Options options;
+    options.targets = {{model(mountains(300, 280, 32)), {}}};
+    options.levels = 2;
+    options.block = 0.05;
+    Context context;
+    context.seed = 5;
+    context.progress = &said_;
+    const auto before = [&](int x, int y, int width, int height) {
+        Field<float> part(width, height);
+        for (int j = 0; j < height; ++j)
+            for (int i = 0; i < width; ++i) part(i, j) = land(x + i, y + j);
+        return part;
+    };
+    EXPECT_LT(reach(options, {430, 390, kSpacing}), 190);
+    for (const bool exhaustive : {false, true})
+        for (const Kind kind : {Kind::kCopied, Kind::kMultifractal, Kind::kFractal}) {
+            options.search = exhaustive ? Search::kExhaustive : Search::kRandom;
+            options.adapt = exhaustive;
+            options.kind = kind;
+            const Field<float> whole = made(options, land);
+            for (const auto& [x, y, width, height] :
+                 {std::array{0, 0, 64, 50}, std::array{250, 201, 37, 41},
+                  std::array{366, 326, 64, 64}}) {
+                const Field<float> part = tile(options, {430, 390, kSpacing}, before,
+                                               context, x, y, width, height);
+                for (int j = 0; j < height; ++j)
+                    for (int i = 0; i < width; ++i)
+                        ASSERT_EQ(part(i, j), whole(x + i, y + j))
+                            << int(kind) << ": " << x + i << ", " << y + j;
+            }
+        }
+}
+
 // The block's own place is in the example: nothing is more like it.
 TEST_F(Detail, ExhaustiveSearchFindsTheBlocksOwnPlace) {
     const Field<float> land = mountains(300, 260, 6);
@@ -191,8 +227,8 @@ TEST_F(Detail, ExhaustiveSearchFindsTheBlocksOwnPlace) {
         for (int x = 0; x < 64; ++x) part(x, y) = coarse(x + 31, y + 17) + 250.0f;
     const Blocks blocks = blocks_of(64, 48, 16);
     const auto all = [](int) { return true; };
-    for (const Match& match :
-         matched(part, blocks, examples, {Search::kExhaustive, 40, 0, 1}, {}, {}, all)) {
+    for (const Match& match : matched(part, {}, blocks, examples,
+                                      {Search::kExhaustive, 40, 0, 1}, {}, {}, all)) {
         EXPECT_EQ(match.example, 0);
         EXPECT_EQ(match.dx, 31);
         EXPECT_EQ(match.dy, 17);
@@ -209,7 +245,7 @@ TEST_F(Detail, SearchesAreInOrder) {
     const auto unlikeness = [&](Search search) {
         double sum = 0.0;
         const auto matches =
-            matched(land, blocks, examples, {search, 20, 0, 1}, {}, {}, all);
+            matched(land, {}, blocks, examples, {search, 20, 0, 1}, {}, {}, all);
         for (int block = 0; block < blocks.across() * blocks.down(); ++block) {
             const Match& m = matches[std::size_t(block)];
             const int x0 = block % blocks.across() * blocks.step,
@@ -257,7 +293,8 @@ TEST_F(Detail, OverlapsKeepTheVariance) {
     const double own = deviation(examples[0].levels[0].details.columns);
     const auto of = [&](Fading fading) {
         return deviation(
-            quilted(blocks, matches, examples, 0, Filter::kHaar, fading).columns);
+            quilted(150, 150, {}, blocks, matches, examples, 0, Filter::kHaar, fading)
+                .columns);
     };
     EXPECT_NEAR(of(Fading::kVariance) / own, 1.0, 0.03);
     EXPECT_LT(of(Fading::kMean) / own, 0.8);
@@ -271,8 +308,8 @@ TEST_F(Detail, BlocksThatAgreeAreSeamless) {
     const Blocks blocks = blocks_of(level.coarse.width(), level.coarse.height(), 12);
     const std::vector<Match> same(std::size_t(blocks.across() * blocks.down()),
                                   Match{0, 0, 0});
-    const Details details =
-        quilted(blocks, same, examples, 0, Filter::kChaikin, Fading::kVariance);
+    const Details details = quilted(blocks.width, blocks.height, {}, blocks, same,
+                                    examples, 0, Filter::kChaikin, Fading::kVariance);
     for (std::size_t i = 0; i < details.rows.size(); ++i)
         ASSERT_NEAR(details.rows[i], level.details.rows[i], 1e-4);
     for (std::size_t i = 0; i < details.columns.size(); ++i)
@@ -348,7 +385,7 @@ TEST_F(Detail, FractalsFadeByTheirHurstExponent) {
     EXPECT_NEAR(scale(1) / scale(2), std::exp2(-0.85), 1e-9);
     EXPECT_NEAR(scale(0) / scale(1), std::exp2(-0.85), 1e-9);
     Field<float> noise(500, 500);
-    add_noise(noise, 3.0, {}, 1, 0);
+    add_noise(noise, {}, 3.0, {}, 1, 0);
     double sum = 0.0, squares = 0.0;
     for (const float v : noise) sum += v, squares += double(v) * v;
     EXPECT_NEAR(sum / 250000.0, 0.0, 0.03);
@@ -416,8 +453,8 @@ TEST_F(Detail, UnknownLandIsNotTaken) {
     const Blocks blocks = blocks_of(60, 60, 12);
     for (const Search search : {Search::kRandom, Search::kPatchMatch})
         for (const Match& match :
-             matched(mountains(60, 60, 22), blocks, examples, {search, 40, 0, 1}, {}, {},
-                     [](int) { return true; }))
+             matched(mountains(60, 60, 22), {}, blocks, examples, {search, 40, 0, 1}, {},
+                     {}, [](int) { return true; }))
             if (match.example >= 0) {
                 EXPECT_LT(match.dx, 45);
             }
@@ -467,7 +504,7 @@ TEST_F(Detail, TheTrialsSizes) {
         example_of(mountains(400, 400, 29), {}, Filter::kChaikin, 3)};
     SilentProgress silent;
     const Field<float> land =
-        refined(mountains(20, 20, 30), {}, examples, std::vector{Layer{}}, options,
+        refined(mountains(20, 20, 30), {}, examples, std::vector{Layer{}}, options, {},
                 146.0 / 15.0, 1, silent);
     EXPECT_EQ(land.width(), 146);
     EXPECT_EQ(land.height(), 146);
