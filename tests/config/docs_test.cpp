@@ -228,6 +228,15 @@ TEST_F(Docs, YourOwnMountainsRead) {
     EXPECT_EQ(examples.size(), 8u);
 }
 
+TEST_F(Docs, DetailByExampleReads) {
+    for (const char* name : {"base.asc", "paint.svg"})
+        std::ofstream(folder_ / name) << "a file";
+    const auto examples = examples_of(page("detail.md"));
+    for (const std::string& example : examples)
+        EXPECT_EQ(complaint(example), "") << example;
+    EXPECT_EQ(examples.size(), 3u);
+}
+
 TEST_F(Docs, CamerasAndColourRead) {
     const std::string land =
         "[[terrain.stage]]\nmethod = \"distance\"\ngroup = [{ peaks = { count = 3 } }]\n";
