@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -19,7 +20,8 @@ constexpr int kLeastSide = 4;  // cells
 // What of its cost a match counts that goes on with the next coarser level's: landforms
 // are more than one level's details.
 constexpr float kCoherent = 0.5f;
-constexpr int kRounds = 4;  // of PatchMatch
+constexpr int kMostTries = 8;  // for every candidate, where many lie in unknown land
+constexpr int kRounds = 4;     // of PatchMatch
 
 struct Rect {
     int x, y, width, height;
@@ -72,12 +74,11 @@ class Finder {
         return best;
     }
 
-    // Whether `match` beats the best so far, which then is it.
+    // What beats the best so far is the best. Whether it can be taken at all.
     bool consider(const Rect& r, const Match& match, Candidate& best) const {
         const float cost = unlike(r, match);
-        if (!(cost < best.cost)) return false;
-        best = {match, cost};
-        return true;
+        if (cost < best.cost) best = {match, cost};
+        return std::isfinite(cost);
     }
 
     // At distances that halve, around a match.
@@ -167,8 +168,8 @@ class Finder {
             fit +=
                 (1.0 + (room.across - 1) / r.width) * (1.0 + (room.down - 1) / r.height);
         });
-        const int tries = int(std::min<double>(searching_.candidates, fit));
-        for (int i = 0; i < tries; ++i) {
+        const int wanted = int(std::min<double>(searching_.candidates, fit));
+        for (int i = 0, found = 0; found < wanted && i < kMostTries * wanted; ++i) {
             const std::uint64_t h = hash_of({searching_.seed, key("candidate"),
                                              std::uint64_t(block), std::uint64_t(i)});
             double at = unit(h) * places;
@@ -178,7 +179,8 @@ class Finder {
                 const double here = double(room.across) * room.down;
                 if (at >= 0.0 && at < here) {
                     const int column = int(at) % room.across, row = int(at) / room.across;
-                    consider(r, {e, kMargin + column - r.x, kMargin + row - r.y}, best);
+                    found += consider(r, {e, kMargin + column - r.x, kMargin + row - r.y},
+                                      best);
                 }
                 at -= here;
             });
@@ -302,7 +304,17 @@ std::vector<Match> matched(const Field<float>& land, const Window& window,
     });
     if (searching.search == Search::kPatchMatch) improved(finder, blocks, all, wanted);
     std::vector<Match> matches;
-    for (const Candidate& candidate : all) matches.push_back(candidate.match);
+    bool any = false, found = false;
+    for (int block = 0; block < count; ++block) {
+        matches.push_back(all[std::size_t(block)].match);
+        any |= wanted(block), found |= matches.back().example >= 0;
+    }
+    if (any && !found)
+        throw bad_request(
+            "nowhere in the targets do {0} x {0} cells of {1} x {1} samples of the land "
+            "lie "
+            "without voids: give a model with fewer, or a smaller block",
+            blocks.side(), 2 << searching.level);
     return matches;
 }
 

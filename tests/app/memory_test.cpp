@@ -44,6 +44,18 @@ TEST(Memory, OfLandFromExemplarsGrowsWithThemToo) {
     EXPECT_EQ(needed(2048 * 2048) - free, 135 * 2048 * 2048u);
 }
 
+TEST(Memory, OfDetailsGrowsWithTargetsAndTheirOrientations) {
+    const test::TemporaryFolder folder;
+    write_geotiff(folder / "a.tif", {Field<float>(1000, 800), 30.0, {}, {}, {}});
+    detail::Options options;
+    const auto needed = [&] { return memory::of_stage(options, 2048 * 2048, 2); };
+    const std::uint64_t without = needed();
+    options.targets.push_back({open_source(folder / "a.tif"), {}});
+    EXPECT_EQ(needed() - without, 40 * 800'000u);
+    options.orientations = 8;
+    EXPECT_EQ(needed() - without, (24 + 8 * 16) * 800'000u);
+}
+
 TEST(Memory, OfATileIsThatOfItsSizeWhateverTheLandHas) {
     const StageOptions texture = texture::Options{};
     const std::vector<const StageOptions*> stages{&texture};

@@ -460,6 +460,18 @@ TEST_F(Detail, UnknownLandIsNotTaken) {
             }
 }
 
+TEST_F(Detail, ATargetOfVoidsIsRefused) {
+    Terrain terrain;
+    terrain.spacing = kSpacing;
+    terrain.heights = mountains(200, 200, 33);
+    const Field<std::uint8_t> all(200, 200, 1);
+    const std::vector<Example> examples{
+        example_of(terrain.heights, all, Filter::kChaikin, 1)};
+    EXPECT_THROW(matched(mountains(60, 60, 22), {}, blocks_of(60, 60, 12), examples,
+                         {Search::kRandom, 40, 0, 1}, {}, {}, [](int) { return true; }),
+                 Error);
+}
+
 TEST_F(Detail, OtherSpacingsAreResampledAndSaid) {
     Options options;
     options.levels = 2;
