@@ -11,6 +11,15 @@
 
 namespace cydonia {
 
+// The samples of a terrain.
+struct Extent {
+    int columns = 0, rows = 0;
+    double spacing = 1.0;  // metres
+
+    double width() const { return spacing * columns; }
+    double depth() const { return spacing * rows; }
+};
+
 // Where a stage shows how it came to its land, when that was asked for.
 struct Explain {
     // `name` is a file-name-safe word: a picture of what it says.

@@ -10,13 +10,14 @@
 #include "synth/detail/detail.h"
 #include "synth/distance/distance.h"
 #include "synth/pareidolia/pareidolia.h"
+#include "synth/sketch/sketch.h"
 #include "synth/texture/texture.h"
 
 namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
 using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options,
-                                  texture::Options, detail::Options>;
+                                  texture::Options, detail::Options, sketch::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {
@@ -39,6 +40,9 @@ inline Method method_of(const StageOptions& options) {
         }
         Method operator()(const pareidolia::Options&) const {
             return {"pareidolia", pareidolia::kVersion};
+        }
+        Method operator()(const sketch::Options&) const {
+            return {"sketch", sketch::kVersion};
         }
         Method operator()(const texture::Options&) const {
             return {"texture", texture::kVersion};
@@ -73,6 +77,9 @@ inline std::string_view whole_because(const StageOptions& options) {
         }
         Reason operator()(const pareidolia::Options&) const {
             return "its shadows fall across the whole land";
+        }
+        Reason operator()(const sketch::Options&) const {
+            return "its landforms are as large as they are drawn";
         }
         Reason operator()(const texture::Options& o) const {
             if (o.breach) return "breach follows channels across the whole land";

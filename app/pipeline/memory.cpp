@@ -114,6 +114,10 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
             return (40 + (o.mappings.empty() && !o.paint ? 0 : 8)) * cells +
                    (24 + 16 * copies) * targets;
         }
+        // All scales of the land, and a footprint as large as it.
+        std::uint64_t operator()(const sketch::Options& o) const {
+            return (60 + 4 * static_cast<std::uint64_t>(o.levels)) * cells;
+        }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
         // the land after that; 191 with recordings of all passes, for and of a run.
         std::uint64_t operator()(const texture::Options& o) const {

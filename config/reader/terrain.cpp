@@ -22,6 +22,7 @@ constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
     {"detail", stage_of<detail::Options>},
     {"distance", stage_of<distance::Options>},
     {"pareidolia", stage_of<pareidolia::Options>},
+    {"sketch", stage_of<sketch::Options>},
     {"texture", stage_of<texture::Options>},
 };
 

@@ -7,7 +7,6 @@
 #include "synth/detail/example.h"
 #include "synth/detail/layers.h"
 #include "synth/detail/window.h"
-#include "synth/extent.h"
 
 namespace cydonia::detail {
 

@@ -2,7 +2,6 @@
 
 #include "field/terrain.h"
 #include "synth/context.h"
-#include "synth/extent.h"
 #include "synth/texture/options.h"
 
 namespace cydonia::texture {

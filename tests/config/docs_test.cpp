@@ -67,7 +67,7 @@ std::string in_plain_scene(std::string table, const std::string& stage) {
     const std::pair<const char*, std::string> places[] = {
         {"terrain\\.stage", stage},
         {"\\b(image|camera|thing|profile|region|exemplar|point|curve|handle|paste|"
-         "mapping)\\.",
+         "mapping|landform)\\.",
          "$1[0]."},
         {"(stage\\[0\\]\\.water)\\.", "$1[0]."},
         {"group\\.(circles)", "group[1].$1"},
@@ -116,8 +116,9 @@ std::vector<Documented> documented_defaults() {
     static const std::regex heading("##+ `\\[+([a-z_.]+)\\]+`.*");
     static const std::regex row("\\| `([a-z_]+)` \\|[^|]*\\| `([^`]+)` \\|.*");
     std::vector<Documented> rows;
-    const std::map<std::string, int> stages{
-        {"distance", 0}, {"pareidolia", 1}, {"dem", 2}, {"texture", 3}, {"detail", 4}};
+    const std::map<std::string, int> stages{{"distance", 0}, {"pareidolia", 1},
+                                            {"dem", 2},      {"texture", 3},
+                                            {"detail", 4},   {"sketch", 5}};
     std::string prefix, stage;
     for (const auto& line : lines_of(manual())) {
         std::smatch match;
@@ -168,6 +169,11 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "curve = [{ points = [[0, 0], [1, 1]], height = 0 }]\n"
         "[[terrain.stage]]\nmethod = \"detail\"\ntargets = \"profile.png\"\n"
         "mapping = [{ target = 1 }]\n"
+        "[[terrain.stage]]\nmethod = \"sketch\"\n"
+        "landform = [{ points = [[0, 0], [1, 1]], height = 1, "
+        "silhouette = { drawing = \"ridges.svg\" } }]\n"
+        "region = [{ points = [[0, 0], [1, 1], [0, 1]], "
+        "noise = { drawing = \"ridges.svg\" } }]\n"
         "[[render.camera]]\nname = \"a\"\n"
         "[[render.thing]]\nkind = \"rock\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));
@@ -235,6 +241,14 @@ TEST_F(Docs, DetailByExampleReads) {
     for (const std::string& example : examples)
         EXPECT_EQ(complaint(example), "") << example;
     EXPECT_EQ(examples.size(), 3u);
+}
+
+TEST_F(Docs, SketchingReads) {
+    for (const char* name : {"plan.svg", "skyline.svg"})
+        std::ofstream(folder_ / name) << "a file";
+    const auto examples = examples_of(page("sketching.md"));
+    for (const std::string& example : examples) EXPECT_EQ(complaint(example), "");
+    EXPECT_EQ(examples.size(), 4u);
 }
 
 TEST_F(Docs, CamerasAndColourRead) {

@@ -40,7 +40,7 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 7u);
+    ASSERT_EQ(s.stages.size(), 8u);
 
     const auto& d = stage<distance::Options>(s, 0);
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
@@ -99,7 +99,31 @@ TEST_F(Reader, FullSceneOfTerrain) {
     ASSERT_EQ(by_example.mappings[1].outline.size(), 3u);
     EXPECT_EQ(by_example.mappings[1].outline[2], (std::array{0.5, 0.8}));
 
-    const auto& c = stage<pareidolia::Options>(s, 6);
+    const auto& sketched = stage<sketch::Options>(s, 6);
+    EXPECT_EQ(sketched.levels, 5);
+    ASSERT_EQ(sketched.features.size(), 1u);
+    const sketch::Feature& range = sketched.features[0];
+    EXPECT_EQ(range.name, "range");
+    ASSERT_EQ(range.way.points.size(), 3u);
+    EXPECT_EQ(range.way.points[1][1], of_width(0.4));
+    EXPECT_EQ(range.height, 100.0);
+    EXPECT_FALSE(range.relative);
+    EXPECT_EQ((*range.boundary)[1], metres(200.0));
+    ASSERT_EQ(range.holds.size(), 2u);
+    EXPECT_EQ(range.holds[0].height, 300.0);
+    EXPECT_EQ((*range.holds[0].boundary)[1], of_width(0.02));
+    EXPECT_FALSE(range.holds[1].boundary);
+    EXPECT_EQ(range.silhouette->id, "ridge");
+    EXPECT_EQ(range.silhouette->bottom, -10.0);
+    EXPECT_EQ(range.silhouette->top, 900.0);
+    EXPECT_TRUE(range.silhouette->mouse);
+    ASSERT_EQ(sketched.regions.size(), 1u);
+    EXPECT_EQ(sketched.regions[0].name, "moor");
+    EXPECT_EQ(sketched.regions[0].way.drawing->name(), "ridges.svg");
+    EXPECT_EQ(sketched.regions[0].length, metres(700.0));
+    EXPECT_EQ(sketched.regions[0].noise.top, 50.0);
+
+    const auto& c = stage<pareidolia::Options>(s, 7);
     EXPECT_EQ(c.solver, pareidolia::Solver::kConstrained);
     EXPECT_EQ(c.constrained.faithful, 2.0);
     EXPECT_EQ(c.constrained.natural, 0.5);

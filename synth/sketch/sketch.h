@@ -1,0 +1,17 @@
+#pragma once
+
+#include "field/terrain.h"
+#include "synth/context.h"
+#include "synth/sketch/options.h"
+
+namespace cydonia::sketch {
+
+// Landforms and regions on the land so far, by their curves (Gain, Marais and Strasser
+// 2009): in the order of the scene, each on what those before have made. Beyond all
+// boundaries the land stays as it is to the bit. Figures: how far the land is from each
+// silhouette. Throws bad_request, naming the curve.
+Terrain run(const Options& options, const Terrain& terrain, const Context& context);
+
+inline constexpr int kVersion = 1;  // raised when the same options give other heights
+
+}  // namespace cydonia::sketch
