@@ -116,7 +116,8 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
         }
         // All scales of the land, and a footprint as large as it.
         std::uint64_t operator()(const sketch::Options& o) const {
-            return (60 + 4 * static_cast<std::uint64_t>(o.levels)) * cells;
+            constexpr std::uint64_t kDrawings = 64 * kMega;
+            return (60 + 4 * static_cast<std::uint64_t>(o.levels)) * cells + kDrawings;
         }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
         // the land after that; 191 with recordings of all passes, for and of a run.
