@@ -9,13 +9,26 @@ const overlap = "document.querySelector('.match output')?.value ?? ''";
 // How the page behaves when its sun is moved and its image asked for.
 async function use(page) {
   const seen = () => page.screenshot("/dev/null", "#view");
-  await page.drawn();
-  const first = await seen(), still = await seen();
+  // A busy machine's first pictures may be of a canvas not composed yet: what must hold
+  // is that the view comes to rest and stays there.
+  const settled = async () => {
+    await page.drawn();
+    let last = await seen();
+    for (let look = 0; look < 20; ++look) {
+      await new Promise((done) => setTimeout(done, 100));
+      const next = await seen();
+      if (next === last) break;
+      last = next;
+    }
+    return last;
+  };
+  const first = await settled();
+  await new Promise((done) => setTimeout(done, 500));
+  const still = await seen();
   await page.value("document.querySelector('.match') && document.querySelector('.match').scrollIntoView()");
   const before = await page.value(overlap);
   await page.value("(() => { const s = document.getElementById('azimuth'); s.value = (+s.value + 120) % 360; s.dispatchEvent(new Event('input')); })()");
-  await page.drawn();
-  const moved = await seen();
+  const moved = await settled();
   await page.value("document.querySelector('.match button')?.click()");
   const calm = await page.value("matchMedia('(prefers-reduced-motion: reduce)').matches");
   await new Promise((done) => setTimeout(done, calm ? 100 : 2500));
