@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <string_view>
 
 namespace cydonia {
 
@@ -17,9 +18,9 @@ constexpr std::uint64_t mix(std::uint64_t z) {
 }
 
 // A purpose or a name as a key: FNV-1a.
-constexpr std::uint64_t key(const char* text) {
+constexpr std::uint64_t key(std::string_view text) {
     std::uint64_t h = 0xcbf29ce484222325ULL;
-    for (; *text; ++text) h = (h ^ static_cast<unsigned char>(*text)) * 0x100000001b3ULL;
+    for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return h;
 }
 

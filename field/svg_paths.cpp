@@ -1,45 +1,18 @@
 #include "field/svg_paths.h"
 
-#include <libxml/parser.h>
-#include <libxml/tree.h>
-
-#include <memory>
+#include <algorithm>
 
 #include "field/error.h"
-#include "field/files.h"
-#include "field/released.h"
 #include "field/svg.h"
+#include "field/svg_document.h"
 #include "field/svg_path_data.h"
 #include "field/svg_text.h"
 
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kLargestDrawing = std::size_t{32} << 20;
 constexpr std::size_t kMostPoints = 4'000'000;
 constexpr double kFarthest = 1e6;  // pages from the page
-
-using Document = std::unique_ptr<xmlDoc, Released<xmlFreeDoc>>;
-
-// Without the entities of a document type, which can grow without bound.
-Document parsed(const Source& source) {
-    const std::string text = read_text(source.path, kLargestDrawing);
-    return Document(
-        xmlReadMemory(text.data(), static_cast<int>(text.size()), nullptr, nullptr,
-                      XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING));
-}
-
-std::string_view name_of(const xmlNode& element) {
-    return reinterpret_cast<const char*>(element.name);
-}
-
-std::string attribute(const xmlNode& element, const char* name) {
-    for (const xmlAttr* a = element.properties; a; a = a->next)
-        if (xmlStrEqual(a->name, BAD_CAST name) && !a->ns && a->children &&
-            a->children->type == XML_TEXT_NODE && a->children->content)
-            return reinterpret_cast<const char*>(a->children->content);
-    return {};
-}
 
 bool displayed(const xmlNode& element) {
     std::string style = attribute(element, "style");
@@ -54,7 +27,8 @@ class Walk {
     Walk(std::array<double, 2> page, double tolerance)
         : page_(page), tolerance_(tolerance) {}
 
-    void enter(const xmlNode& element, Affine to_page, std::string id);
+    void enter(const xmlNode& element, Affine to_page, std::string id,
+               std::vector<std::string> names);
     std::vector<SvgPath> paths() && { return std::move(paths_); }
 
   private:
@@ -68,7 +42,8 @@ class Walk {
     std::vector<SvgOutline> outlines(const xmlNode& element) const;
     std::vector<SvgOutline> rectangle(const xmlNode& element) const;
     std::vector<SvgOutline> ellipse(const xmlNode& element) const;
-    void add(const SvgOutline& outline, const Affine& to_page, const std::string& id);
+    void add(const SvgOutline& outline, const Affine& to_page, const std::string& id,
+             const std::vector<std::string>& names);
 
     std::array<double, 2> page_;  // pixels, or units of its viewBox
     double tolerance_;
@@ -139,7 +114,8 @@ std::vector<SvgOutline> Walk::outlines(const xmlNode& element) const {
     return {line};
 }
 
-void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::string& id) {
+void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::string& id,
+               const std::vector<std::string>& names) {
     std::vector<Point2> points{to_page(outline.start)};
     for (const auto& curve : outline.curves) {
         const Point2 from = points.back();
@@ -153,18 +129,22 @@ void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::stri
         if (!(std::abs(p[0]) < kFarthest && std::abs(p[1]) < kFarthest))
             throw bad_request("a path lies a million pages away");
     count_ += points.size();
-    if (points.size() > 1) paths_.push_back({id, std::move(points)});
+    if (points.size() > 1) paths_.push_back({id, names, std::move(points)});
 }
 
-void Walk::enter(const xmlNode& element, Affine to_page, std::string id) {
+void Walk::enter(const xmlNode& element, Affine to_page, std::string id,
+                 std::vector<std::string> names) {
     if (!displayed(element)) return;
-    const std::string own = attribute(element, "id");
+    const std::string own = attribute(element, "id"), label = label_of(element);
     if (!own.empty()) id = own;
+    for (const std::string& name : {label, own})
+        if (!name.empty()) names.insert(names.begin(), name);
     try {
         const auto transform = transform_of(attribute(element, "transform"));
         if (!transform) throw bad_request("its transform cannot be read");
         to_page = to_page * *transform;
-        for (const SvgOutline& outline : outlines(element)) add(outline, to_page, id);
+        for (const SvgOutline& outline : outlines(element))
+            add(outline, to_page, id, names);
     } catch (const Error& error) {
         throw bad_request("line {}{}: {}", element.line, id.empty() ? "" : ", " + id,
                           error.what());
@@ -173,27 +153,29 @@ void Walk::enter(const xmlNode& element, Affine to_page, std::string id) {
     if (name != "svg" && name != "g" && name != "a") return;
     // libxml2 refuses what is more than 256 deep.
     for (const xmlNode* child = element.children; child; child = child->next)
-        if (child->type == XML_ELEMENT_NODE) enter(*child, to_page, id);
+        if (child->type == XML_ELEMENT_NODE) enter(*child, to_page, id, names);
 }
 
 }  // namespace
+
+bool SvgPath::is_called(const std::string& name) const {
+    return std::ranges::find(names, name) != names.end();
+}
 
 std::vector<SvgPath> svg_paths(const Source& source, double tolerance) {
     const std::string name = source.path.string();
     const std::array<double, 2> page = page_size(source);
     if (!(page[0] > 0.0)) throw bad_request("{}: the drawing has no size", name);
-    const Document document = parsed(source);
-    const xmlNode* root = document ? xmlDocGetRootElement(document.get()) : nullptr;
-    if (!root || name_of(*root) != "svg")
-        throw bad_request("{}: not an SVG drawing", name);
+    const SvgDocument document(source);
+    const xmlNode& root = document.root();
 
-    const std::string box = attribute(*root, "viewBox");
+    const std::string box = attribute(root, "viewBox");
     const auto fitted =
-        viewbox_of(box, attribute(*root, "preserveAspectRatio"), page[0], page[1]);
+        viewbox_of(box, attribute(root, "preserveAspectRatio"), page[0], page[1]);
     const Affine shares{1.0 / page[0], 0.0, 0.0, 1.0 / page[1], 0.0, 0.0};
     Walk walk(page, tolerance);
     try {
-        walk.enter(*root, fitted ? shares * *fitted : shares, {});
+        walk.enter(root, fitted ? shares * *fitted : shares, {}, {});
     } catch (const Error& error) {
         throw bad_request("{}: {}", name, error.what());
     }

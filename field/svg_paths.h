@@ -11,6 +11,9 @@ namespace cydonia {
 // One run of a pen in a drawing: an outline is closed when it ends where it began.
 struct SvgPath {
     std::string id;  // its own, else that of the nearest group; empty without any
+    // Ids and Inkscape's labels of it and of all groups around it, innermost first.
+    std::vector<std::string> names;
+    bool is_called(const std::string& name) const;
     // At least two, each unlike the one before: shares of the page's width from its left
     // edge and of its height from its top.
     std::vector<Point2> points;

@@ -112,7 +112,8 @@ class Painter {
             lay(layer.material, share, p, colour, top, of_top);
         }
         if (washed > 0.0) {
-            const double rocky = smoothstep(radians(32.0), radians(42.0), p.form.slope);
+            const double rocky =
+                smoothstep(radians(32.0), radians(42.0), double(p.form.slope));
             const double depth = p.form.level - p.form.height;
             lay(*look_.shore, washed * (1.0 - rocky), p, colour, top, of_top);
             if (look_.bed)
@@ -218,7 +219,8 @@ class Painter {
         Rgb bed{};
         if (m.strata) {
             const Strata& s = *m.strata;
-            bedded = s.strength * smoothstep(s.slope[0], s.slope[1], p.form.slope);
+            bedded =
+                s.strength * smoothstep(s.slope[0], s.slope[1], double(p.form.slope));
             if (bedded > 0.0) bedded *= beds(s, p, shade, bed);
         }
         Rgb colour = mixed(dark, light, std::clamp(shade, 0.0, 1.0));

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/base64.h"
 #include "field/data.h"
 #include "field/files.h"
-#include "render/report/base64.h"
 #include "render/report/report.h"
 #include "render/report/template.h"
 

@@ -46,7 +46,7 @@ std::vector<NamedShape> drawn(const Curve& curve, const Ground& ground) {
     std::map<std::string, int> used;
     for (const SvgPath& path : paths) {
         known += (known.empty() ? "" : ", ") + path.id;
-        if (!curve.id.empty() && path.id != curve.id) continue;
+        if (!curve.id.empty() && !path.is_called(curve.id)) continue;
         std::vector<Point2> points;
         for (const Point2& p : path.points)
             points.push_back({p[0] * ground.width, (1.0 - p[1]) * ground.depth});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "field/random.h"
+#include "field/svg_camera.h"
 #include "field/svg_path_data.h"
 #include "tests/field/temporary_folder.h"
 
@@ -155,6 +156,36 @@ TEST(SvgPaths, OnlyWhatIsDrawn) {
     ASSERT_EQ(paths.size(), 2u);
     EXPECT_EQ(paths[0].id, "group");
     EXPECT_EQ(paths[1].id, "own");
+}
+
+// As who draws thinks of them: a layer's label, a group's id, its own.
+TEST(SvgPaths, PathsAreCalledByIdsAndLabelsAroundThem) {
+    const auto paths = paths_of(
+        "<g xmlns:i='http://www.inkscape.org/namespaces/inkscape' id='layer1' "
+        "i:label='peaks'><path id='path7' d='M0 0H10'/></g><path d='M0 0H10'/>");
+    ASSERT_EQ(paths.size(), 2u);
+    for (const char* name : {"path7", "layer1", "peaks"})
+        EXPECT_TRUE(paths[0].is_called(name)) << name;
+    EXPECT_FALSE(paths[0].is_called("cliff"));
+    EXPECT_FALSE(paths[1].is_called("peaks"));
+}
+
+TEST(SvgCamera, IsReadAsItWasWritten) {
+    Camera camera;
+    camera.eye = {-1234.5678, 0.1, 1e-3};
+    camera.target = {1.0 / 3.0, 5000.0, -20.0};
+    camera.field_of_view = 0.7;
+    const TemporaryFolder folder;
+    const auto read = svg_camera(open_source(folder.with(
+        "a.svg", drawing("<metadata>" + svg_camera_text(camera) + "</metadata>",
+                         "width='640' height='360'"))));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->eye, camera.eye);
+    EXPECT_EQ(read->target, camera.target);
+    EXPECT_NEAR(read->field_of_view, 0.7, 1e-15);
+    EXPECT_EQ(read->width * 9, read->height * 16);
+    EXPECT_FALSE(svg_camera(open_source(
+        folder.with("b.svg", drawing("<metadata><camera eye='1 2 3'/></metadata>")))));
 }
 
 TEST(SvgPaths, WhatCannotBeReadIsNamed) {

@@ -5,9 +5,9 @@
 
 #include <regex>
 
+#include "field/base64.h"
 #include "field/error.h"
 #include "field/image.h"
-#include "render/report/base64.h"
 #include "render/report/template.h"
 
 namespace cydonia::render {

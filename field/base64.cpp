@@ -1,8 +1,8 @@
-#include "render/report/base64.h"
+#include "field/base64.h"
 
 #include <cstdint>
 
-namespace cydonia::render {
+namespace cydonia {
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kLetters =
@@ -23,4 +23,4 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-}  // namespace cydonia::render
+}  // namespace cydonia
