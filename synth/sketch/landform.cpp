@@ -8,67 +8,11 @@
 #include "field/sample.h"
 #include "field/smoothstep.h"
 #include "synth/sketch/bands.h"
-#include "synth/texture/nearest.h"
 
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kLeastReach = 2.0;  // samples: of the finest deformations
-constexpr int kLastRounds = 4;       // that bring the land onto the silhouette
-
-// A sample of the footprint: where it is along the shadow, and how far from it.
-struct Foot {
-    std::size_t index;
-    float place;     // among the silhouette's values
-    float distance;  // samples, from the shadow
-    float reach;     // samples, of the boundary
-    float noise;     // W_0: how much of the noise is the silhouette's
-
-    // Eq. 1, of a boundary that is a share of its own.
-    float weight(float share) const {
-        const float a = distance / std::max(share * reach, float(kLeastReach));
-        const float b = a * a - 1.0f;
-        return a < 1.0f && distance < reach ? b * b : 0.0f;
-    }
-};
-
-std::vector<Foot> footprint(const Landform& landform, const Field<float>& land,
-                            double spacing) {
-    const texture::Shape& shadow = landform.shadow;
-    const double depth = spacing * land.height(), length = shadow.length();
-    const int values = landform.silhouette.width();
-    double widest = 0.0;
-    for (int i = 0; i < values; ++i) {
-        const auto [left, right] = landform.boundary(length * i / (values - 1));
-        widest = std::max({widest, left, right});
-    }
-    const texture::Grid grid{spacing, 0.0, depth, 0, 0, land.width(), land.height()};
-    Field<texture::Nearest> nearest(land.width(), land.height());
-    texture::add_nearest(shadow, grid, widest, nearest);
-
-    std::vector<Foot> feet;
-    for (int y = 0; y < land.height(); ++y)
-        for (int x = 0; x < land.width(); ++x) {
-            const auto [squared, segment] = nearest(x, y);
-            if (segment < 0) continue;
-            const auto s = std::size_t(segment);
-            const Point2 p = grid.centre(x, y), &a = shadow.points[s],
-                         &b = shadow.points[s + 1];
-            const double share = texture::nearest_share(a, b, p);
-            const double along =
-                shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
-            const bool left =
-                texture::cross(texture::from_to(a, b), texture::from_to(a, p)) > 0.0;
-            const double reach = landform.boundary(along)[left ? 0 : 1];
-            const double distance = std::sqrt(squared);
-            if (!(distance < reach)) continue;
-            Foot foot{nearest.index(x, y), float(along / length * (values - 1)),
-                      float(distance / spacing), float(reach / spacing), 0.0f};
-            foot.noise = foot.weight(1.0f);
-            feet.push_back(foot);
-        }
-    return feet;
-}
+constexpr int kLastRounds = 4;  // that bring the land onto the silhouette
 
 float value_at(const Field<float>& line, float place) {
     const int i = std::clamp(int(place), 0, std::max(0, line.width() - 2));
@@ -79,10 +23,11 @@ float value_at(const Field<float>& line, float place) {
 // Where the shadow is, in samples of the land, for each value of the silhouette.
 struct Course {
     std::vector<std::array<double, 2>> places;
-    double step;                   // samples from one to the next
-    std::array<bool, 2> pinned{};  // to the terrain's edge: nothing to blend into
+    double step;                 // samples from one to the next
+    std::array<bool, 2> pinned;  // ends with nothing to blend into
 
-    Course(const Landform& landform, const Field<float>& land, double spacing) {
+    Course(const Landform& landform, const Field<float>& land, double spacing)
+        : pinned(landform.goes_on) {
         const int values = landform.silhouette.width();
         const double length = landform.shadow.length();
         step = length / spacing / std::max(1, values - 1);
@@ -91,12 +36,6 @@ struct Course {
             places.push_back(
                 {p[0] / spacing - 0.5, land.height() - p[1] / spacing - 0.5});
         }
-        for (const int end : {0, 1}) {
-            const auto [x, y] = end == 0 ? places.front() : places.back();
-            pinned[std::size_t(end)] =
-                x < 0.5 || y < 0.5 || x > land.width() - 1.5 || y > land.height() - 1.5;
-        }
-        if (landform.shadow.closed) pinned = {true, true};
     }
     // 0 at the ends, 1 from `width` samples on, without a bend.
     float inside(int i, double width) const {
@@ -106,11 +45,10 @@ struct Course {
     }
 };
 
-// Eq. 3: by what the silhouette is higher than the land with its change so far, along all
+// Eq. 3: by what a silhouette is higher than the land with its change so far, along all
 // of it.
-void pull(Field<float>& change, const Field<float>& land, const Field<float>& silhouette,
-          const Course& course, const std::vector<Foot>& feet, float share,
-          double width) {
+Field<float> missing(const Field<float>& change, const Field<float>& land,
+                     const Field<float>& silhouette, const Course& course, double width) {
     Field<float> step(silhouette.width(), 1);
     for (int i = 0; i < step.width(); ++i) {
         const auto [x, y] = course.places[std::size_t(i)];
@@ -118,11 +56,70 @@ void pull(Field<float>& change, const Field<float>& land, const Field<float>& si
         step[std::size_t(i)] =
             course.inside(i, width) * (silhouette[std::size_t(i)] - height);
     }
-    parallel_for(int(feet.size()), 4096, [&](int k) {
-        const Foot& foot = feet[std::size_t(k)];
-        const float weight = foot.weight(share);
-        if (weight > 0.0f) change[foot.index] += weight * value_at(step, foot.place);
-    });
+    return step;
+}
+
+// All that a feature's landforms need while they are made.
+struct Works {
+    std::span<const Landform> landforms;
+    const std::vector<std::vector<Foot>>& feet;
+    std::vector<Course> courses = {};
+
+    // Raises what the silhouettes, as `heights` has them, are higher than the land.
+    void pull(Field<float>& change, const Field<float>& land,
+              const std::function<const Field<float>&(std::size_t)>& heights, float share,
+              double width) const {
+        std::vector<Field<float>> steps;
+        for (std::size_t k = 0; k < landforms.size(); ++k)
+            steps.push_back(missing(change, land, heights(k), courses[k], width));
+        for (std::size_t k = 0; k < landforms.size(); ++k)
+            parallel_for(int(feet[k].size()), 4096, [&](int f) {
+                const Foot& foot = feet[k][std::size_t(f)];
+                const float weight = foot.part * foot.weight(share);
+                if (weight > 0.0f)
+                    change[foot.index] += weight * value_at(steps[k], foot.place);
+            });
+    }
+    void last_rounds(Field<float>& change, const Field<float>& land) const {
+        const auto own = [&](std::size_t k) -> const Field<float>& {
+            return landforms[k].silhouette;
+        };
+        for (int round = 0; round < kLastRounds; ++round)
+            pull(change, land, own, 0.0f, 1.0);
+    }
+    void change_land(Field<float>& land, const Field<float>& change) const {
+        std::vector<bool> done(land.size());
+        for (const auto& of_one : feet)
+            for (const Foot& foot : of_one)
+                if (!done[foot.index])
+                    land[foot.index] += change[foot.index], done[foot.index] = true;
+    }
+};
+
+Works works_of(std::span<const Landform> landforms,
+               const std::vector<std::vector<Foot>>& feet, const Field<float>& land,
+               double spacing) {
+    Works works{landforms, feet};
+    for (const Landform& landform : landforms)
+        works.courses.emplace_back(landform, land, spacing);
+    return works;
+}
+
+// Through the logarithms of bands that have any noise.
+std::vector<double> fitted(const std::vector<double>& measured, int last) {
+    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (int i = 1; i <= last; ++i) {
+        const double sigma = measured[std::size_t(i - 1)];
+        if (!(sigma > 1e-4)) continue;
+        const double l = std::log(sigma);
+        n += 1.0, x += i, y += l, xx += double(i) * i, xy += i * l;
+    }
+    const double spread = n * xx - x * x;
+    const double slope = spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
+    std::vector<double> line;
+    for (int i = 1; i <= int(measured.size()); ++i)
+        line.push_back(n == 0.0 ? 0.0 : std::exp((y - slope * x) / n + slope * i));
+    return line;
 }
 
 }  // namespace
@@ -141,57 +138,84 @@ NoiseLevels noise_of(const Field<float>& silhouette, int levels, bool mouse) {
         }
         noise.measured.push_back(std::sqrt(squares / (n - 2 * end)));
     }
-    // A line through the logarithms, of bands that have any.
-    const int last = levels - (mouse ? 2 : 0);
-    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (int i = 1; i <= last; ++i) {
-        const double sigma = noise.measured[std::size_t(i - 1)];
-        if (!(sigma > 1e-4)) continue;
-        const double l = std::log(sigma);
-        n += 1.0, x += i, y += l, xx += double(i) * i, xy += i * l;
-    }
-    const double spread = n * xx - x * x;
-    const double slope = spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
-    for (int i = 1; i <= levels; ++i)
-        noise.fitted.push_back(n == 0.0 ? 0.0
-                                        : std::exp((y - slope * x) / n + slope * i));
+    noise.fitted = fitted(noise.measured, levels - (mouse ? 2 : 0));
     return noise;
 }
 
-void deform(Field<float>& land, double spacing, const Landform& landform, int levels,
-            std::uint64_t seed) {
-    const std::vector<Foot> feet = footprint(landform, land, spacing);
-    if (feet.empty()) return;
-    const Course course(landform, land, spacing);
-    const std::vector<Field<float>> scales = smoothed(land, levels),
-                                    heights = smoothed(landform.silhouette, levels);
-    const NoiseLevels noise = noise_of(landform.silhouette, levels, landform.mouse);
+NoiseLevels noise_of_land(const Field<float>& heights, int levels) {
+    const std::vector<Field<float>> scales = smoothed(heights, levels);
+    NoiseLevels noise;
+    for (int i = 1; i <= levels; ++i) {
+        const Field<float>&fine = scales[std::size_t(i)],
+              &coarse = scales[std::size_t(i - 1)];
+        double squares = 0.0;
+        for (std::size_t k = 0; k < fine.size(); ++k)
+            squares += (fine[k] - coarse[k]) * double(fine[k] - coarse[k]);
+        noise.measured.push_back(std::sqrt(squares / double(fine.size())));
+    }
+    noise.fitted = fitted(noise.measured, levels);
+    return noise;
+}
+
+Noise wavelets(const Field<float>& land, int levels, std::uint64_t seed) {
+    return [width = land.width(), height = land.height(), levels, seed](int band) {
+        return wavelet_noise(0, 0, width, height, band, levels, seed);
+    };
+}
+
+std::vector<std::vector<Foot>> deform(Field<float>& land, double spacing,
+                                      std::span<const Landform> landforms, int levels,
+                                      const Noise& noise) {
+    std::vector<std::vector<Foot>> feet;
+    std::vector<std::vector<Field<float>>> heights;
+    for (const Landform& landform : landforms) {
+        feet.push_back(footprint(landform, land, spacing));
+        heights.push_back(smoothed(landform.silhouette, levels));
+    }
+    share_out(feet, land.size());
+    const Works works = works_of(landforms, feet, land, spacing);
+    const std::vector<Field<float>> scales = smoothed(land, levels);
 
     Field<float> change(land.width(), land.height());
     for (int i = 0; i <= levels; ++i) {
+        const double width = std::exp2(levels - i);  // phi_i
         if (i > 0) {
-            const Field<float> band =
-                wavelet_noise(0, 0, land.width(), land.height(), i, levels, seed);
-            const float sigma = float(noise.fitted[std::size_t(i - 1)]);
+            const Field<float> band = noise(i);
             const Field<float>&fine = scales[std::size_t(i)],
                   &coarse = scales[std::size_t(i - 1)];
-            Field<float> inside(landform.silhouette.width(), 1);
-            for (int k = 0; k < inside.width(); ++k)
-                inside[std::size_t(k)] = course.inside(k, std::exp2(levels - i));
-            // Eq. 2.
-            parallel_for(int(feet.size()), 4096, [&](int k) {
-                const Foot& foot = feet[std::size_t(k)];
-                const float own = fine[foot.index] - coarse[foot.index];
-                change[foot.index] += foot.noise * value_at(inside, foot.place) *
-                                      (sigma * band[foot.index] - own);
-            });
+            for (std::size_t k = 0; k < landforms.size(); ++k) {
+                const float sigma = float(landforms[k].noise[std::size_t(i - 1)]);
+                Field<float> inside(landforms[k].silhouette.width(), 1);
+                for (int v = 0; v < inside.width(); ++v)
+                    inside[std::size_t(v)] = works.courses[k].inside(v, width);
+                // Eq. 2.
+                parallel_for(int(feet[k].size()), 4096, [&](int f) {
+                    const Foot& foot = feet[k][std::size_t(f)];
+                    const float own = fine[foot.index] - coarse[foot.index];
+                    change[foot.index] += foot.part * foot.noise *
+                                          value_at(inside, foot.place) *
+                                          (sigma * band[foot.index] - own);
+                });
+            }
         }
-        pull(change, scales[std::size_t(i)], heights[std::size_t(i)], course, feet,
-             std::exp2(-float(i)), std::exp2(levels - i));
+        works.pull(
+            change, scales[std::size_t(i)],
+            [&](std::size_t k) -> const Field<float>& {
+                return heights[k][std::size_t(i)];
+            },
+            std::exp2(-float(i)), width);
     }
-    for (int round = 0; round < kLastRounds; ++round)
-        pull(change, land, landform.silhouette, course, feet, 0.0f, 1.0);
-    for (const Foot& foot : feet) land[foot.index] += change[foot.index];
+    works.last_rounds(change, land);
+    works.change_land(land, change);
+    return feet;
+}
+
+void settle(Field<float>& land, double spacing, std::span<const Landform> landforms,
+            const std::vector<std::vector<Foot>>& feet) {
+    const Works works = works_of(landforms, feet, land, spacing);
+    Field<float> change(land.width(), land.height());
+    works.last_rounds(change, land);
+    works.change_land(land, change);
 }
 
 }  // namespace cydonia::sketch

@@ -12,6 +12,6 @@ namespace cydonia::sketch {
 // silhouette. Throws bad_request, naming the curve.
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
-inline constexpr int kVersion = 1;  // raised when the same options give other heights
+inline constexpr int kVersion = 2;  // raised when the same options give other heights
 
 }  // namespace cydonia::sketch

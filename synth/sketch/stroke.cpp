@@ -3,66 +3,65 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "field/error.h"
-#include "field/svg_paths.h"
+#include "synth/texture/plane.h"
 
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // of the page
+constexpr double kTolerance = 1e-4;          // of the page
+constexpr double kFold = 1.0 / 512;          // of the width: what a steady hand goes back
+constexpr std::size_t kMostCrossed = 20000;  // points of a way that is looked through
 
-std::vector<SvgPath> paths_of(const Silhouette& silhouette, const std::string& name) {
-    std::vector<SvgPath> paths = svg_paths(silhouette.drawing, kTolerance);
-    if (!silhouette.id.empty())
-        std::erase_if(paths,
-                      [&](const SvgPath& path) { return path.id != silhouette.id; });
-    if (paths.empty())
-        throw bad_request("{}: '{}': {}", silhouette.drawing.name(), name,
-                          silhouette.id.empty()
-                              ? "nothing is drawn"
-                              : fmt::format("no path has the id '{}'", silhouette.id));
-    return paths;
+// Of the lines a-b and c-d, where they cross.
+std::optional<Point2> crossing(const Point2& a, const Point2& b, const Point2& c,
+                               const Point2& d) {
+    const Point2 u = texture::from_to(a, b), v = texture::from_to(c, d);
+    const double area = texture::cross(u, v);
+    if (area == 0.0) return {};
+    const Point2 w = texture::from_to(a, c);
+    const double s = texture::cross(w, v) / area, t = texture::cross(w, u) / area;
+    if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return {};
+    return texture::between(a, b, s);
+}
+
+double length_of(const std::vector<Point2>& way, std::size_t from, std::size_t to) {
+    double length = 0.0;
+    for (std::size_t i = from; i < to; ++i)
+        length += texture::distance(way[i], way[i + 1]);
+    return length;
 }
 
 }  // namespace
 
-Field<float> heights_of(const Silhouette& silhouette, int values, const std::string& name,
-                        Progress& progress) {
-    const std::vector<SvgPath> paths = paths_of(silhouette, name);
-    double left = HUGE_VAL, right = -HUGE_VAL;
-    for (const SvgPath& path : paths)
-        for (const Point2& p : path.points)
-            left = std::min(left, p[0]), right = std::max(right, p[0]);
-    if (!(right - left > 1e-6))
-        throw bad_request("{}: '{}': the silhouette is upright and has no width",
-                          silhouette.drawing.name(), name);
-
+Line line_of(const std::vector<std::vector<Point2>>& strokes, int values) {
+    Line line{HUGE_VAL, -HUGE_VAL, {}, false};
+    for (const auto& stroke : strokes)
+        for (const Point2& p : stroke)
+            line.left = std::min(line.left, p[0]),
+            line.right = std::max(line.right, p[0]);
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-    Field<float> heights(values, 1, kNone);
-    bool folds = false;
-    for (const SvgPath& path : paths)
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            const auto place = [&](const Point2& p) {
-                return (p[0] - left) / (right - left) * (values - 1);
-            };
-            const auto metres = [&](const Point2& p) {
-                return silhouette.bottom +
-                       (1.0 - p[1]) * (silhouette.top - silhouette.bottom);
-            };
-            const Point2 &a = path.points[i - 1], &b = path.points[i];
+    Field<float>& heights = line.values = Field<float>(values, 1, kNone);
+    const auto place = [&](const Point2& p) {
+        return (p[0] - line.left) / (line.right - line.left) * (values - 1);
+    };
+    for (const auto& stroke : strokes) {
+        double furthest = -HUGE_VAL;
+        for (std::size_t i = 1; i < stroke.size(); ++i) {
+            const Point2 &a = stroke[i - 1], &b = stroke[i];
             const double from = place(a), to = place(b);
-            folds |= to < from - 1.0;
+            furthest = std::max(furthest, from);
+            line.folds |= to < furthest - std::max(1.0, kFold * (values - 1));
             const auto [low, high] = std::minmax(from, to);
             for (int k = int(std::ceil(low - 1e-9)); k <= high + 1e-9; ++k) {
                 const double t = to == from ? 1.0 : (k - from) / (to - from);
                 heights[std::size_t(std::clamp(k, 0, values - 1))] =
-                    float(metres(a) + std::clamp(t, 0.0, 1.0) * (metres(b) - metres(a)));
+                    float(a[1] + std::clamp(t, 0.0, 1.0) * (b[1] - a[1]));
             }
         }
-    if (folds)
-        progress.note(fmt::format(
-            "'{}': its silhouette folds back; what is drawn last counts there", name));
+    }
     // What no stroke is over: between its neighbours.
     int last = -1;
     for (int k = 0; k < values; ++k) {
@@ -77,7 +76,69 @@ Field<float> heights_of(const Silhouette& silhouette, int values, const std::str
     }
     for (int k = last + 1; k < values; ++k)
         heights[std::size_t(k)] = heights[std::size_t(last)];
-    return heights;
+    return line;
+}
+
+std::vector<SvgPath> strokes_of(const Source& drawing, const std::string& id,
+                                const std::string& name) {
+    std::vector<SvgPath> paths = svg_paths(drawing, kTolerance);
+    if (!id.empty())
+        std::erase_if(paths, [&](const SvgPath& path) { return !path.is_called(id); });
+    if (paths.empty())
+        throw bad_request("{}: '{}': {}", drawing.name(), name,
+                          id.empty()
+                              ? "nothing is drawn"
+                              : fmt::format("no path or layer is called '{}'", id));
+    return paths;
+}
+
+Field<float> heights_of(const Silhouette& silhouette, int values, const std::string& name,
+                        Progress& progress) {
+    std::vector<std::vector<Point2>> strokes;
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    for (SvgPath& path : strokes_of(silhouette.drawing, silhouette.id, name)) {
+        for (Point2& p : path.points) {
+            left = std::min(left, p[0]), right = std::max(right, p[0]);
+            p[1] =
+                silhouette.bottom + (1.0 - p[1]) * (silhouette.top - silhouette.bottom);
+        }
+        strokes.push_back(std::move(path.points));
+    }
+    if (!(right - left > 1e-6))
+        throw bad_request("{}: '{}': the silhouette is upright and has no width",
+                          silhouette.drawing.name(), name);
+    Line line = line_of(strokes, values);
+    if (line.folds)
+        progress.note(fmt::format(
+            "'{}': its silhouette folds back; what is drawn last counts there", name));
+    return std::move(line.values);
+}
+
+int cut_loops(std::vector<Point2>& way) {
+    int loops = 0;
+    const bool closed = way.size() > 2 && way.front() == way.back();
+    if (way.size() > kMostCrossed) return 0;
+    for (std::size_t i = 0; i + 2 < way.size(); ++i)
+        // From behind, so that the widest loop of a place goes first.
+        for (std::size_t j = way.size() - 2; j > i + 1; --j) {
+            const auto at = crossing(way[i], way[i + 1], way[j], way[j + 1]);
+            if (!at) continue;
+            ++loops;
+            const double inner = length_of(way, i + 1, j);
+            if (closed && inner > 0.5 * length_of(way, 0, way.size() - 1)) {
+                std::vector<Point2> ring{*at};
+                ring.insert(ring.end(), way.begin() + std::ptrdiff_t(i) + 1,
+                            way.begin() + std::ptrdiff_t(j) + 1);
+                ring.push_back(*at);
+                way = std::move(ring);
+                return loops + cut_loops(way);
+            }
+            way.erase(way.begin() + std::ptrdiff_t(i) + 1,
+                      way.begin() + std::ptrdiff_t(j) + 1);
+            way.insert(way.begin() + std::ptrdiff_t(i) + 1, *at);
+            break;
+        }
+    return loops;
 }
 
 }  // namespace cydonia::sketch

@@ -26,13 +26,18 @@ Field<float> hills() {
 
 Landform ridge(const std::vector<Point2>& points, double width,
                const std::function<double(double share)>& height) {
-    Landform landform{texture::shape_through(points, "ridge"), {}, {}};
+    Landform landform{texture::shape_through(points, "ridge"), {}, {}, {}, {}};
     const int values = int(landform.shadow.length() / kSpacing) + 1;
     landform.silhouette = Field<float>(values, 1);
     for (int i = 0; i < values; ++i)
         landform.silhouette[std::size_t(i)] = float(height(double(i) / (values - 1)));
     landform.boundary = [width](double) { return std::array{width, width}; };
     return landform;
+}
+
+void deform(Field<float>& land, Landform landform) {
+    landform.noise = noise_of(landform.silhouette, kLevels, false).fitted;
+    sketch::deform(land, kSpacing, {&landform, 1}, kLevels, wavelets(land, kLevels, 1));
 }
 
 double hump(double share) { return 500.0 * std::sin(M_PI * share); }
@@ -67,7 +72,7 @@ TEST(Sketched, SilhouettesAreInterpolated) {
         const Landform landform = ridge(points, 400.0, jagged);
         Field<float> land = hills();
         EXPECT_GT(off(land, landform), 300.0);
-        deform(land, kSpacing, landform, kLevels, 1);
+        deform(land, landform);
         EXPECT_LT(off(land, landform), 0.005 * 500.0);
     }
 }
@@ -76,7 +81,7 @@ TEST(Sketched, CanyonsAreTheSameDownwards) {
     const Landform landform =
         ridge(kBent, 300.0, [](double share) { return -0.8 * hump(share); });
     Field<float> land = hills();
-    deform(land, kSpacing, landform, kLevels, 1);
+    deform(land, landform);
     EXPECT_LT(off(land, landform), 0.005 * 400.0);
     EXPECT_LT(*std::ranges::min_element(land), -380.0f);
 }
@@ -86,7 +91,7 @@ TEST(Sketched, NothingBeyondTheBoundaryChanges) {
     Field<float> land = before;
     Landform landform = ridge(kStraight, 300.0, jagged);
     landform.boundary = [](double) { return std::array{300.0, 150.0}; };
-    deform(land, kSpacing, landform, kLevels, 1);
+    deform(land, landform);
     int changed = 0;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
@@ -104,12 +109,61 @@ TEST(Sketched, NothingBeyondTheBoundaryChanges) {
     EXPECT_GT(changed, 5000);
 }
 
+// Along the line through its ends a gentle bend has no seam on its inner side, where
+// places jump from one leg to the other on the shadow itself.
+TEST(Sketched, GentleBendsHaveNoSeams) {
+    const std::vector<Point2> gentle = {
+        {300.0, 900.0}, {1280.0, 1500.0}, {2260.0, 900.0}};
+    std::vector<Point2> sharp = gentle;
+    sharp[1] = {1280.0, 2300.0};
+    const Landform landform =
+        ridge(gentle, 700.0, [](double share) { return 200.0 + 600.0 * share; });
+    ASSERT_TRUE(lies_on_base_line(landform.shadow));
+    EXPECT_FALSE(lies_on_base_line(texture::shape_through(sharp, "sharp")));
+    EXPECT_FALSE(lies_on_base_line(texture::shape_through(
+        {{0.0, 0.0}, {900.0, 10.0}, {300.0, 20.0}, {1200.0, 30.0}}, "folded")));
+    // Across the line below the bend's corner.
+    std::vector<float> places(kSide, -1.0f);
+    const int row = kSide - 1 - int(1100.0 / kSpacing);
+    for (const Foot& foot : footprint(landform, Field<float>(kSide, kSide), kSpacing))
+        if (int(foot.index) / kSide == row) places[foot.index % kSide] = foot.place;
+    float most = 0.0f;
+    for (int x = 100; x < 156; ++x) {
+        ASSERT_GE(places[std::size_t(x)], 0.0f) << x;
+        most = std::max(most, places[std::size_t(x)] - places[std::size_t(x) - 1]);
+    }
+    EXPECT_LT(most, 1.6f);  // on the shadow it jumps by tens
+}
+
+// Each of two ways that meet has its heights, and between them nothing is counted twice.
+TEST(Sketched, BranchesAreOneFeature) {
+    std::vector<Landform> ways = {
+        ridge(kStraight, 400.0,
+              [](double share) { return 400.0 * std::sin(M_PI * share); }),
+        ridge({{1275.0, 1265.0}, {1700.0, 300.0}}, 400.0,
+              [](double share) { return 400.0 * (1.0 - share * share); })};
+    ways[1].goes_on = {true, false};
+    for (Landform& way : ways)
+        way.noise = noise_of(way.silhouette, kLevels, false).fitted;
+    Field<float> land(kSide, kSide);
+    sketch::deform(land, kSpacing, ways, kLevels, wavelets(land, kLevels, 1));
+    EXPECT_LT(off(land, ways[0]), 4.0);
+    // At the other's begin too, which is pinned to the first.
+    for (int i = 0; i < 40; ++i) {
+        const auto p = ways[1].shadow.at(i * kSpacing);
+        EXPECT_NEAR(bilinear(land, p[0] / kSpacing - 0.5, kSide - p[1] / kSpacing - 0.5),
+                    ways[1].silhouette[std::size_t(i)], 4.0)
+            << i;
+    }
+    EXPECT_LT(*std::ranges::max_element(land), 410.0f);
+}
+
 // A boundary near the shadow on one side makes a cliff there.
 TEST(Sketched, CloseBoundariesMakeCliffs) {
     Landform landform = ridge(kStraight, 300.0, hump);
     landform.boundary = [](double) { return std::array{500.0, 60.0}; };
     Field<float> land(kSide, kSide);
-    deform(land, kSpacing, landform, kLevels, 1);
+    deform(land, landform);
     double north = 0.0, south = 0.0;
     for (int y = 60; y < 200; ++y) {
         const double step = land(128, y) - land(128, y - 1);
@@ -121,7 +175,7 @@ TEST(Sketched, CloseBoundariesMakeCliffs) {
 TEST(Sketched, LandIsAsRoughAsTheSilhouette) {
     const auto roughness = [](const std::function<double(double)>& height) {
         Field<float> land(kSide, kSide);
-        deform(land, kSpacing, ridge(kStraight, 400.0, height), kLevels, 1);
+        deform(land, ridge(kStraight, 400.0, height));
         const auto scales = smoothed(land, kLevels);
         double squares = 0.0;
         int count = 0;
@@ -158,7 +212,7 @@ TEST(Sketched, DecayIsFitted) {
 TEST(Sketched, ThreadsDoNotMatter) {
     const auto made = [] {
         Field<float> land = hills();
-        deform(land, kSpacing, ridge(kBent, 400.0, jagged), kLevels, 1);
+        deform(land, ridge(kBent, 400.0, jagged));
         return land;
     };
     Field<float> one;
