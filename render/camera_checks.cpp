@@ -27,6 +27,8 @@ const char* height_of(Kind kind) {
             return "its eye_height";
         case Kind::kOrbit:
             return "its elevation or its distance";
+        case Kind::kDrawing:
+            return "the eye of the camera in its drawing";
         default:
             return "its elevation";
     }
@@ -40,6 +42,8 @@ const char* direction_of(const CameraOptions& options) {
             return "the targets of its keys";
         case Kind::kLookAt:
             return "its target";
+        case Kind::kDrawing:
+            return "its drawing";
         default:
             return "its elevation, or widen its field_of_view,";
     }

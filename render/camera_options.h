@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "field/length.h"
+#include "field/source.h"
 #include "field/sun.h"
 
 namespace cydonia::render {
@@ -26,6 +27,7 @@ struct CameraOptions {
         kLookAt,    // `eye` and `target` given
         kStand,     // on the ground at `position`, as a person stands there
         kPath,      // through `keys`
+        kDrawing,   // where the camera of a drawing over its frame stood
     };
     std::string name;  // file-name-safe, unique in a scene
     Kind kind = Kind::kOblique;
@@ -41,8 +43,9 @@ struct CameraOptions {
     double pitch = 0.0;                // `target`: from north, and upwards; radians
     bool looks_at_target = false;
 
-    std::vector<CameraKey> keys;  // of a path: at least two, frames rising
-    bool eased = true;            // a path starts from rest and comes to rest
+    std::optional<Source> drawing;  // field/svg_camera.h
+    std::vector<CameraKey> keys;    // of a path: at least two, frames rising
+    bool eased = true;              // a path starts from rest and comes to rest
 
     // What a sequence changes from frame to frame.
     double frame = 0.0;  // where on its path the camera is

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "field/error.h"
+#include "field/svg_camera.h"
 #include "render/camera_checks.h"
 #include "render/camera_path.h"
 #include "render/camera_view.h"
@@ -227,6 +229,17 @@ Camera with_lens(Camera c, const CameraOptions& o, const Terrain& t) {
     return c;
 }
 
+Camera of_drawing(Camera c, const CameraOptions& options) {
+    const auto drawn = svg_camera(*options.drawing);
+    if (!drawn)
+        throw bad_request(
+            "camera '{}': {} names no camera; use one that cydonia frame-for-sketch made",
+            options.name, options.drawing->name());
+    c.eye = drawn->eye, c.target = drawn->target;
+    c.field_of_view = drawn->field_of_view;
+    return c;
+}
+
 }  // namespace
 
 double field_of_view(const CameraOptions& options) {
@@ -259,6 +272,9 @@ Camera place(const CameraOptions& options, const Terrain& land, Quality quality,
             break;
         case Kind::kPath:
             camera = on_path(camera, options, terrain);
+            break;
+        case Kind::kDrawing:
+            camera = of_drawing(camera, options);
             break;
     }
     turn(camera, options, terrain);

@@ -23,6 +23,7 @@ constexpr Name<CameraOptions::Kind> kCameraKinds[] = {
     {"look_at", CameraOptions::Kind::kLookAt},
     {"stand", CameraOptions::Kind::kStand},
     {"path", CameraOptions::Kind::kPath},
+    {"drawing", CameraOptions::Kind::kDrawing},
 };
 
 constexpr std::size_t kMostKeys = 1024;
@@ -38,6 +39,8 @@ void read_lens(Table& t, CameraOptions& camera) {
 
     t.only_if(camera.kind != CameraOptions::Kind::kOverhead,
               {"field_of_view", "focal_length", "sensor_width", "f_stop"}, kPerspective);
+    t.only_if(camera.kind != CameraOptions::Kind::kDrawing,
+              {"field_of_view", "focal_length"}, "a camera that is not a drawing's");
     t.check(!camera.focal_length || !t.has("field_of_view"),
             {"field_of_view", "focal_length"},
             "the focal length and the sensor's width already say how much is in view; "
@@ -66,6 +69,7 @@ void read_place(Table& t, CameraOptions& camera) {
     t.field("eye_height", camera.eye_height, LengthUnit{above(0.0)});
     t.field("heading", camera.heading, kAzimuth);
     t.field("pitch", camera.pitch, Degrees{from(-90.0, 90.0)});
+    t.field("drawing", camera.drawing, File{});
     t.tables("key", camera.keys, kMostKeys);
     t.field("eased", camera.eased, Flag{});
     camera.looks_at_target = t.has("target");
@@ -78,6 +82,9 @@ void read_place(Table& t, CameraOptions& camera) {
     t.only_if(free || stands, {"target"}, "kind = \"look_at\" or \"stand\"");
     t.only_if(stands, {"position", "eye_height", "heading", "pitch"}, "kind = \"stand\"");
     t.only_if(camera.kind == Kind::kPath, {"key", "eased"}, "kind = \"path\"");
+    t.only_if(camera.kind == Kind::kDrawing, {"drawing"}, "kind = \"drawing\"");
+    t.check(camera.kind != Kind::kDrawing || camera.drawing, {"kind"},
+            "a camera of a drawing needs the drawing: drawing = \"view.svg\"");
     t.check(!free || (t.has("eye") && t.has("target")), {"kind"},
             "a look_at camera needs an eye and a target");
     t.check(!free || camera.eye != camera.target, {"target", "eye"},

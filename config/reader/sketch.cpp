@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/reader/elevation_models.h"
 #include "config/reader/readers.h"
 #include "config/reader/texture.h"
 
@@ -9,9 +10,11 @@ namespace cydonia::config {
 
 using sketch::Feature;
 using sketch::Hold;
+using sketch::NoiseKind;
 using sketch::Options;
 using sketch::Region;
 using sketch::Silhouette;
+using sketch::View;
 using sketch::Way;
 
 namespace {
@@ -21,12 +24,16 @@ constexpr std::size_t kLongestId = 256;
 constexpr Number kHeight{from(-1e5, 1e5)};
 constexpr LengthUnit kReach{above(0.0)};
 
-void read_way(Table& t, Way& way, std::size_t least) {
+constexpr Name<NoiseKind> kNoises[] = {{"wavelet", NoiseKind::kWavelet},
+                                       {"texture", NoiseKind::kTexture},
+                                       {"detail", NoiseKind::kDetail}};
+
+void read_way(Table& t, Way& way, std::size_t least, bool needed = true) {
     t.field("points", way.points, LengthUnit{});
     t.field("drawing", way.drawing, File{});
     t.field("id", way.id, Text{kLongestId});
-    t.check(t.has("points") != t.has("drawing"), {"points", "drawing"},
-            "needs exactly one of points and drawing");
+    t.check(t.has("points") != t.has("drawing") || (!needed && !t.has("points")),
+            {"points", "drawing"}, "needs exactly one of points and drawing");
     t.check(!t.has("points") || way.points.size() >= least, {"points"},
             fmt::format("needs at least {} points", least));
     t.only_if(t.has("drawing"), {"id"}, "a way with a drawing");
@@ -50,12 +57,28 @@ void read(Table& t, Silhouette& silhouette) {
     t.field("mouse", silhouette.mouse, Flag{});
 }
 
+void read(Table& t, View& view, const std::vector<std::string>& names) {
+    t.required("drawing", view.drawing, File{});
+    t.field("id", view.id, Text{kLongestId});
+    t.field("mouse", view.mouse, Flag{});
+    t.field("through", view.through, Text{kLongestId});
+    for (const std::string& name : view.through)
+        t.check(std::ranges::find(names, name) != names.end() && name != names.back(),
+                {"through"},
+                fmt::format("there is no landform '{}' before this one", name));
+}
+
+void read(Table& t, Way& way) { read_way(t, way, 2); }
+
 void read(Table& t, Feature& feature, std::vector<std::string>& names) {
     read_name(t, feature.name, "landform", names.size() + 1, names);
-    read_way(t, feature.way, 2);
+    t.table("view", feature.view, names);
+    read_way(t, feature.way, 2, !feature.view);
     t.field("height", feature.height, kHeight);
     t.field("relative", feature.relative, Flag{});
     t.field("boundary", feature.boundary, kReach);
+    t.table("boundary_curve", feature.boundary_curve);
+    t.only_if(!t.has("boundary"), {"boundary_curve"}, "a landform without a boundary");
     t.tables("hold", feature.holds, kMostHandles);
     t.check(std::ranges::adjacent_find(feature.holds,
                                        [](const Hold& a, const Hold& b) {
@@ -63,10 +86,13 @@ void read(Table& t, Feature& feature, std::vector<std::string>& names) {
                                        }) == feature.holds.end(),
             {"hold"}, "'at' must rise from one to the next");
     t.table("silhouette", feature.silhouette);
+    t.only_if(!feature.view, {"height", "relative", "hold", "silhouette"},
+              "a landform without a view");
     const bool held = std::ranges::any_of(
         feature.holds, [](const Hold& hold) { return hold.height.has_value(); });
-    t.check(t.has("height") || held || feature.silhouette, {"height", "silhouette"},
-            "needs a height, of its own, in its holds or by a silhouette");
+    t.check(t.has("height") || held || feature.silhouette || feature.view,
+            {"height", "silhouette", "view"},
+            "needs a height, of its own, in its holds, by a silhouette or by a view");
 }
 
 void read(Table& t, Region& region, std::vector<std::string>& names) {
@@ -83,6 +109,10 @@ void read(Table& t, Options& o) {
     t.check(!o.features.empty() || !o.regions.empty(), {"landform", "region"},
             "nothing is sketched; add [[terrain.stage.landform]]");
     t.field("levels", o.levels, Whole{1, 10});
+    t.field("noise", o.noise, one_of(kNoises));
+    t.field("noise_from", o.noise_from, ElevationModel{});
+    t.check(o.noise == NoiseKind::kWavelet || o.noise_from, {"noise", "noise_from"},
+            "needs noise_from, an elevation model, for that noise");
 }
 
 }  // namespace cydonia::config

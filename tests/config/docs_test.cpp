@@ -70,6 +70,7 @@ std::string in_plain_scene(std::string table, const std::string& stage) {
          "mapping|landform)\\.",
          "$1[0]."},
         {"(stage\\[0\\]\\.water)\\.", "$1[0]."},
+        {"landform\\[0\\]\\.view", "landform[1].view"},
         {"group\\.(circles)", "group[1].$1"},
         {"group\\.(edges)", "group[2].$1"},
         {"group\\.(lip)", "group[3].$1"},
@@ -171,7 +172,8 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "mapping = [{ target = 1 }]\n"
         "[[terrain.stage]]\nmethod = \"sketch\"\n"
         "landform = [{ points = [[0, 0], [1, 1]], height = 1, "
-        "silhouette = { drawing = \"ridges.svg\" } }]\n"
+        "silhouette = { drawing = \"ridges.svg\" } }, "
+        "{ view = { drawing = \"ridges.svg\" } }]\n"
         "region = [{ points = [[0, 0], [1, 1], [0, 1]], "
         "noise = { drawing = \"ridges.svg\" } }]\n"
         "[[render.camera]]\nname = \"a\"\n"

@@ -101,7 +101,9 @@ TEST_F(Reader, FullSceneOfTerrain) {
 
     const auto& sketched = stage<sketch::Options>(s, 6);
     EXPECT_EQ(sketched.levels, 5);
-    ASSERT_EQ(sketched.features.size(), 1u);
+    EXPECT_EQ(sketched.noise, sketch::NoiseKind::kDetail);
+    EXPECT_EQ(sketched.noise_from->name(), "profile.png");
+    ASSERT_EQ(sketched.features.size(), 2u);
     const sketch::Feature& range = sketched.features[0];
     EXPECT_EQ(range.name, "range");
     ASSERT_EQ(range.way.points.size(), 3u);
@@ -117,6 +119,11 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(range.silhouette->bottom, -10.0);
     EXPECT_EQ(range.silhouette->top, 900.0);
     EXPECT_TRUE(range.silhouette->mouse);
+    const sketch::Feature& skyline = sketched.features[1];
+    EXPECT_EQ(skyline.boundary_curve->id, "lips");
+    EXPECT_EQ(skyline.view->id, "stroke");
+    EXPECT_TRUE(skyline.view->mouse);
+    EXPECT_EQ(skyline.view->through, std::vector<std::string>{"range"});
     ASSERT_EQ(sketched.regions.size(), 1u);
     EXPECT_EQ(sketched.regions[0].name, "moor");
     EXPECT_EQ(sketched.regions[0].way.drawing->name(), "ridges.svg");
@@ -141,7 +148,9 @@ TEST_F(Reader, FullSceneOfTerrain) {
 
 TEST_F(Reader, FullSceneOfRender) {
     const render::Options r = load(golden_text("full.toml")).at(0).render;
-    ASSERT_EQ(r.cameras.size(), 5u);
+    ASSERT_EQ(r.cameras.size(), 6u);
+    EXPECT_EQ(r.cameras[5].kind, render::CameraOptions::Kind::kDrawing);
+    EXPECT_EQ(r.cameras[5].drawing->name(), "ridges.svg");
     EXPECT_EQ(r.cameras[0].kind, render::CameraOptions::Kind::kOverhead);
     EXPECT_EQ(r.cameras[0].size, (std::array{1024, 512}));
     EXPECT_EQ(r.cameras[1].distance, of_width(0.9));
