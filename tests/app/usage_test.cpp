@@ -41,9 +41,10 @@ void expect_wrong_usage(const Outcome& outcome, const std::string& culprit) {
 TEST(Usage, HelpFitsAScreenAndEndsWithAnExample) {
     expect_fits_a_screen(ask({}).out);
     expect_fits_a_screen(ask({"--help"}).out);
-    for (const char* command : {"new", "render", "sweep", "turntable", "film", "synth",
-                                "check", "report", "emit", "export", "farm", "reproduce",
-                                "gallery", "watch", "validate", "schema", "info"}) {
+    for (const char* command :
+         {"new", "render", "sweep", "turntable", "film", "synth", "check", "report",
+          "emit", "export", "farm", "reproduce", "gallery", "watch", "validate", "schema",
+          "info", "frame-for-sketch"}) {
         const Outcome outcome = ask({command, "--help"});
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.out.find(command), std::string::npos);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/console.h"
+#include "app/request.h"
+
+namespace cydonia {
+
+// Writes <output folder>/sketch/<camera>.svg for each perspective camera of the scene:
+// its frame by Embree as a locked layer, an empty layer to draw silhouettes in, and where
+// the camera stands; and sketch/plan.svg, whose page is the land seen from above. Throws
+// bad_request rather than overwrite what was drawn in one, unless the request says force.
+void frame_for_sketch(const Request& request, Console& console);
+
+}  // namespace cydonia
