@@ -114,10 +114,27 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
             return (40 + (o.mappings.empty() && !o.paint ? 0 : 8)) * cells +
                    (24 + 16 * copies) * targets;
         }
-        // All scales of the land, and a footprint as large as it.
+        // All scales of the land, footprints as large as it, and what lies under those
+        // that others are seen through; real land's noise is made like land.
         std::uint64_t operator()(const sketch::Options& o) const {
             constexpr std::uint64_t kDrawings = 64 * kMega;
-            return (60 + 4 * static_cast<std::uint64_t>(o.levels)) * cells + kDrawings;
+            const auto seen_through = static_cast<std::uint64_t>(
+                std::ranges::count_if(o.features, [](const sketch::Feature& feature) {
+                    return feature.view && !feature.view->through.empty();
+                }));
+            std::uint64_t noise = 0;
+            if (o.noise != sketch::NoiseKind::kWavelet && o.noise_from) {
+                texture::Options land;
+                land.exemplars.push_back({*o.noise_from, {}, {}});
+                noise =
+                    o.noise == sketch::NoiseKind::kTexture
+                        ? (*this)(land)
+                        : 40 * cells + 8 * static_cast<std::uint64_t>(o.levels) * cells;
+            }
+            return (120 + 4 * static_cast<std::uint64_t>(o.levels) +
+                    (seen_through > 0 ? 32 : 0)) *
+                       cells +
+                   noise + kDrawings;
         }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
         // the land after that; 191 with recordings of all passes, for and of a run.

@@ -12,13 +12,52 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr int kLastRounds = 4;  // that bring the land onto the silhouette
+// That bring the land onto the silhouettes; of several, which share samples where they
+// meet.
+constexpr int kLastRounds = 4, kLastRoundsOfSeveral = 12;
 
 float value_at(const Field<float>& line, float place) {
     const int i = std::clamp(int(place), 0, std::max(0, line.width() - 2));
     const float t = place - float(i);
     return line.width() == 1 ? line[0] : (1.0f - t) * line(i, 0) + t * line(i + 1, 0);
 }
+
+// The values of a line at places all over a footprint. Where feet are found on the shadow
+// itself the nearest place jumps from leg to leg on the inner side of a bend: there it is
+// the mean of all places, weighted by their distance, which goes over from one to the
+// other and on the shadow is its own value (Shepard 1968).
+class Spread {
+  public:
+    Spread(const Landform& landform, const std::vector<std::array<double, 2>>& places,
+           int width)
+        : smooth_(!lies_on_base_line(landform.shadow)), width_(width) {
+        if (smooth_)
+            for (const auto& [x, y] : places) places_.push_back({float(x), float(y)});
+    }
+    float operator()(const Field<float>& line, const Foot& foot) const {
+        constexpr float kNear = 8.0f;  // places this much nearer each other are alike
+        if (!smooth_) return value_at(line, foot.place);
+        int stride = 1;
+        while (float(2 * stride) * kNear < foot.distance) stride *= 2;
+        const float x = float(int(foot.index) % width_),
+                    y = float(int(foot.index) / width_);
+        float sum = 0.0f, weights = 0.0f;
+        const int count = int(places_.size());
+        for (int k = 0; k < count; k += stride) {
+            const float dx = places_[std::size_t(k)][0] - x,
+                        dy = places_[std::size_t(k)][1] - y;
+            const float squared = dx * dx + dy * dy + 0.05f;
+            const float weight = 1.0f / (squared * squared);
+            sum += weight * line[std::size_t(k)], weights += weight;
+        }
+        return sum / weights;
+    }
+
+  private:
+    bool smooth_;
+    int width_;
+    std::vector<std::array<float, 2>> places_;
+};
 
 // Where the shadow is, in samples of the land, for each value of the silhouette.
 struct Course {
@@ -64,6 +103,7 @@ struct Works {
     std::span<const Landform> landforms;
     const std::vector<std::vector<Foot>>& feet;
     std::vector<Course> courses = {};
+    std::vector<Spread> spreads = {};
 
     // Raises what the silhouettes, as `heights` has them, are higher than the land.
     void pull(Field<float>& change, const Field<float>& land,
@@ -77,15 +117,15 @@ struct Works {
                 const Foot& foot = feet[k][std::size_t(f)];
                 const float weight = foot.part * foot.weight(share);
                 if (weight > 0.0f)
-                    change[foot.index] += weight * value_at(steps[k], foot.place);
+                    change[foot.index] += weight * spreads[k](steps[k], foot);
             });
     }
     void last_rounds(Field<float>& change, const Field<float>& land) const {
         const auto own = [&](std::size_t k) -> const Field<float>& {
             return landforms[k].silhouette;
         };
-        for (int round = 0; round < kLastRounds; ++round)
-            pull(change, land, own, 0.0f, 1.0);
+        const int rounds = landforms.size() > 1 ? kLastRoundsOfSeveral : kLastRounds;
+        for (int round = 0; round < rounds; ++round) pull(change, land, own, 0.0f, 1.0);
     }
     void change_land(Field<float>& land, const Field<float>& change) const {
         std::vector<bool> done(land.size());
@@ -100,8 +140,10 @@ Works works_of(std::span<const Landform> landforms,
                const std::vector<std::vector<Foot>>& feet, const Field<float>& land,
                double spacing) {
     Works works{landforms, feet};
-    for (const Landform& landform : landforms)
+    for (const Landform& landform : landforms) {
         works.courses.emplace_back(landform, land, spacing);
+        works.spreads.emplace_back(landform, works.courses.back().places, land.width());
+    }
     return works;
 }
 

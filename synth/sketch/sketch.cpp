@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 
 #include "field/dem.h"
 #include "field/error.h"
@@ -170,28 +171,33 @@ struct Joint {
 };
 using Joints = std::array<std::optional<Joint>, 2>;
 
-// Of ways with those before them.
-std::vector<Joints> joints_of(const std::vector<texture::NamedShape>& ways,
-                              double spacing) {
+// Of ways with those before them; leads their ends onto these.
+std::vector<Joints> joined(std::vector<texture::NamedShape>& ways,
+                           const texture::Ground& ground) {
+    constexpr double kReach = 0.02;  // of the terrain's width: what a hand leaves open
     std::vector<Joints> joints(ways.size());
     for (std::size_t k = 1; k < ways.size(); ++k)
         for (const std::size_t end : {0u, 1u}) {
-            const auto& points = ways[k].shape.points;
-            const Point2& p = end == 0 ? points.front() : points.back();
-            double nearest = 2.0 * spacing;
+            std::vector<Point2> points = ways[k].shape.points;
+            const Point2 p = end == 0 ? points.front() : points.back();
+            double nearest = kReach * ground.width;
+            Point2 at = p;
             for (std::size_t other = 0; other < k; ++other) {
                 const texture::Shape& way = ways[other].shape;
                 for (std::size_t s = 0; s + 1 < way.points.size(); ++s) {
                     const Point2 &a = way.points[s], &b = way.points[s + 1];
                     const double t = texture::nearest_share(a, b, p);
-                    const double d = texture::distance(p, texture::between(a, b, t));
-                    if (d >= nearest) continue;
-                    nearest = d;
+                    const Point2 there = texture::between(a, b, t);
+                    if (texture::distance(p, there) >= nearest) continue;
+                    nearest = texture::distance(p, there), at = there;
                     joints[k][end] = {
                         other, (way.along[s] + t * (way.along[s + 1] - way.along[s])) /
                                    way.length()};
                 }
             }
+            if (!joints[k][end] || nearest < 0.01 * ground.spacing) continue;
+            points.insert(end == 0 ? points.begin() : points.end(), at);
+            ways[k].shape = texture::shape_through(std::move(points), ways[k].name);
         }
     return joints;
 }
@@ -272,7 +278,7 @@ Plan plan_of(const Feature& feature, const Land& land, const Field<float>& seen_
                     named.name));
             named.shape = std::move(*part);
         }
-    const std::vector<Joints> joints = joints_of(plan.ways, land.ground.spacing);
+    const std::vector<Joints> joints = joined(plan.ways, land.ground);
     for (std::size_t k = 0; k < plan.ways.size(); ++k)
         plan.landforms.push_back(landform_of(feature, plan.ways[k], joints[k], plan.sight,
                                              land, options, progress));
@@ -297,10 +303,17 @@ double most_off(const Landform& landform, const Land& land) {
 void keep_to(const Sight& sight, const Plan& plan,
              const std::vector<std::vector<Foot>>& feet, const Field<float>& before,
              Land& land) {
-    constexpr double kCrest = 1.5, kFoot = 3.0, kEnds = 2.0;  // samples
+    constexpr double kCrest = 1.5, kFoot = 3.0, kRough = 10.0, kEnds = 2.0;  // samples
+    constexpr int kFineBands = 3;
     const double spacing = land.ground.spacing;
+    const Field<float> smooth = smoothed(land.heights, kFineBands)[0];
     for (std::size_t k = 0; k < feet.size(); ++k) {
         const Landform& landform = plan.landforms[k];
+        double roughness = 1e-6;
+        const auto bands = std::span(landform.noise);
+        for (const double sigma :
+             bands.last(std::min(bands.size(), std::size_t(kFineBands))))
+            roughness += 2.0 * sigma;
         const double step =
             landform.shadow.length() / spacing / (landform.silhouette.width() - 1);
         for (const Foot& foot : feet[k]) {
@@ -317,7 +330,16 @@ void keep_to(const Sight& sight, const Plan& plan,
                                  smoothstep(0.0, kEnds, std::min(begin, end));
             float& height = land.heights[foot.index];
             height += float(crest * (*line - height));
-            if (before[foot.index] <= *line) height = std::min(height, float(*line));
+            // Land that stood above the line already may do so, but not rise.
+            const double most = std::max(*line, double(before[foot.index]));
+            const double above = height - most;
+            if (above <= 0.0) continue;
+            // As rough below the line as it was above, for it is seen from elsewhere too.
+            const double rise = land.heights[foot.index] - smooth[foot.index];
+            const double lower = roughness *
+                                 (1.0 - std::clamp(rise / roughness, -1.0, 1.0)) *
+                                 smoothstep(kFoot, kRough, double(foot.distance));
+            height = float(most - std::min(above, lower));
         }
     }
 }

@@ -256,6 +256,22 @@ TEST_F(Sketch, TheStrokeIsTheSkyline) {
     EXPECT_GT(highest(terrain), *std::ranges::max_element(before_) + 200.0f);
 }
 
+// What rises gently behind the crest would be seen above it.
+TEST_F(Sketch, NothingOfALandformIsSeenAboveItsStroke) {
+    Options options;
+    options.features = {seen(kStroke)};
+    options.features[0].view->drawing =
+        view(kStroke,
+             "<camera xmlns='urn:cydonia' eye='1000 -1500 1600' "
+             "target='1000 600 100' field-of-view='40'/>")
+            .drawing;
+    options.features[0].boundary = {{metres(700.0), metres(300.0)}};
+    const Terrain terrain = made(options);
+    EXPECT_LT(terrain.figures.at(
+                  "sketch: 'skyline' off its stroke in the view, on average, px"),
+              1.0);
+}
+
 // Led over the land by a way of its own, the silhouette bends with it and is seen the
 // same.
 TEST_F(Sketch, SilhouettesFollowABentWay) {
