@@ -204,7 +204,7 @@ std::vector<Joints> joined(std::vector<texture::NamedShape>& ways,
 
 Landform landform_of(const Feature& feature, const texture::NamedShape& named,
                      const Joints& joints, const std::optional<Sight>& sight,
-                     const Land& land, const Options& options, Progress& progress) {
+                     const Land& land, int levels, Progress& progress) {
     const auto course = std::make_shared<texture::Course>(
         curve_of(feature), named.name, named.shape, land.ground, nullptr);
     const double length = named.shape.length();
@@ -225,7 +225,7 @@ Landform landform_of(const Feature& feature, const texture::NamedShape& named,
                 float(course->height(length * i / (values - 1)) +
                       (feature.relative ? land.along(named.shape, i, values) : 0.0));
     }
-    landform.noise = noise_of(landform.silhouette, options.levels, mouse).fitted;
+    landform.noise = noise_of(landform.silhouette, levels, mouse).fitted;
     landform.goes_on = {
         named.shape.closed || joints[0] || land.is_edge(named.shape.points.front()),
         named.shape.closed || joints[1] || land.is_edge(named.shape.points.back())};
@@ -250,6 +250,16 @@ void join(std::vector<Landform>& landforms, const std::vector<Joints>& joints) {
             }
         }
     }
+}
+
+// Those whose widest scale, a quarter of the way, is one that the landform has: of a
+// wider one there would be nothing, and all of it a fin as narrow as the finest.
+int levels_of(const std::vector<texture::NamedShape>& ways, double spacing,
+              const Options& options) {
+    double longest = 0.0;
+    for (const texture::NamedShape& way : ways)
+        longest = std::max(longest, way.shape.length());
+    return std::clamp(int(std::log2(0.25 * longest / spacing)), 1, options.levels);
 }
 
 Plan plan_of(const Feature& feature, const Land& land, const Field<float>& seen_through,
@@ -278,10 +288,11 @@ Plan plan_of(const Feature& feature, const Land& land, const Field<float>& seen_
                     named.name));
             named.shape = std::move(*part);
         }
+    const int levels = levels_of(plan.ways, land.ground.spacing, options);
     const std::vector<Joints> joints = joined(plan.ways, land.ground);
     for (std::size_t k = 0; k < plan.ways.size(); ++k)
         plan.landforms.push_back(landform_of(feature, plan.ways[k], joints[k], plan.sight,
-                                             land, options, progress));
+                                             land, levels, progress));
     join(plan.landforms, joints);
     return plan;
 }
@@ -359,13 +370,15 @@ class NoiseSource {
 
     // Of a feature that is to be made on the land; sets how strong its bands are.
     Noise of(std::vector<Landform>& landforms, const Land& land, std::uint64_t seed) {
+        const int levels = int(landforms[0].noise.size());
         if (!strength_.empty())
-            for (Landform& landform : landforms) landform.noise = strength_;
-        const Noise plain = wavelets(land.heights, options_.levels, seed);
+            for (Landform& landform : landforms)
+                landform.noise.assign(strength_.end() - levels, strength_.end());
+        const Noise plain = wavelets(land.heights, levels, seed);
         if (options_.noise == NoiseKind::kWavelet) return plain;
         if (options_.noise == NoiseKind::kTexture)
-            return of_land(synthesised_, landforms, plain);
-        return of_land(detailed(landforms, land, seed), landforms, plain);
+            return of_land(synthesised_, landforms, levels, plain);
+        return of_land(detailed(landforms, land, levels, seed), landforms, levels, plain);
     }
 
   private:
@@ -395,7 +408,7 @@ class NoiseSource {
     }
     // What details by example add to the feature without noise.
     Field<float> detailed(const std::vector<Landform>& landforms, const Land& land,
-                          std::uint64_t seed) const {
+                          int levels, std::uint64_t seed) const {
         std::vector<Landform> smooth = landforms;
         for (Landform& landform : smooth) std::ranges::fill(landform.noise, 0.0);
         Terrain bare;
@@ -404,10 +417,10 @@ class NoiseSource {
         const auto none = [&](int) {
             return Field<float>(land.heights.width(), land.heights.height());
         };
-        deform(bare.heights, spacing_, smooth, options_.levels, none);
+        deform(bare.heights, spacing_, smooth, levels, none);
         detail::Options options;
         options.targets.push_back({*options_.noise_from, {}, stretch()});
-        options.levels = std::min(options_.levels, 5);
+        options.levels = std::min(levels, 5);
         Context context = context_;
         context.seed = seed;
         Field<float> added = detail::run(options, bare, context).heights;
@@ -417,9 +430,9 @@ class NoiseSource {
     // The bands of a land, of mean square 1 under the feature; wavelets where it has
     // none.
     Noise of_land(const Field<float>& land, const std::vector<Landform>& landforms,
-                  const Noise& plain) const {
-        const auto scales = std::make_shared<const std::vector<Field<float>>>(
-            smoothed(land, options_.levels));
+                  int levels, const Noise& plain) const {
+        const auto scales =
+            std::make_shared<const std::vector<Field<float>>>(smoothed(land, levels));
         std::vector<Foot> feet;
         for (const Landform& landform : landforms)
             std::ranges::copy(footprint(landform, land, spacing_),
@@ -472,7 +485,7 @@ class Making {
                       hash_of({context_.seed, key("sketch"), key(feature.name)}));
         const Field<float> before = land_.heights;
         const auto feet = deform(land_.heights, land_.ground.spacing, plan.landforms,
-                                 options_.levels, noise);
+                                 int(plan.landforms[0].noise.size()), noise);
         if (plan.sight) {
             keep_to(*plan.sight, plan, feet, before, land_);
             settle(land_.heights, land_.ground.spacing, plan.landforms, feet);
