@@ -246,11 +246,11 @@ TEST_F(Docs, DetailByExampleReads) {
 }
 
 TEST_F(Docs, SketchingReads) {
-    for (const char* name : {"plan.svg", "skyline.svg"})
+    for (const char* name : {"plan.svg", "skyline.svg", "view.svg"})
         std::ofstream(folder_ / name) << "a file";
     const auto examples = examples_of(page("sketching.md"));
     for (const std::string& example : examples) EXPECT_EQ(complaint(example), "");
-    EXPECT_EQ(examples.size(), 4u);
+    EXPECT_EQ(examples.size(), 7u);
 }
 
 TEST_F(Docs, CamerasAndColourRead) {
