@@ -62,7 +62,16 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
     const double high = wide * camera_.height / camera_.width;
 
     std::vector<std::vector<Point2>> strokes;
-    for (const SvgPath& path : strokes_of(view.drawing, view.id, name)) {
+    const std::vector<SvgPath> paths = strokes_of(view.drawing, view.id, name);
+    const auto in_frame = [](const Point2& p) {
+        return std::min(p[0], p[1]) >= 0.0 && std::max(p[0], p[1]) <= 1.0;
+    };
+    if (std::ranges::none_of(paths, [&](const SvgPath& path) {
+            return std::ranges::any_of(path.points, in_frame);
+        }))
+        throw bad_request("{}: '{}': its stroke is outside the frame; draw on the page",
+                          view.drawing.name(), name);
+    for (const SvgPath& path : paths) {
         auto& stroke = strokes.emplace_back();
         const auto add = [&](const Point2& p) {
             const Vec3 d = axes.forward + (2.0 * p[0] - 1.0) * wide * axes.right +

@@ -315,6 +315,10 @@ TEST_F(Sketch, ViewsThatShowNothingAreRefused) {
         return complaint(options);
     };
     EXPECT_NE(refused(kStroke, "").find("names no camera"), std::string::npos);
+    EXPECT_NE(refused("<path d='M150 10 L180 60'/>", kCamera).find("outside the frame"),
+              std::string::npos);
+    EXPECT_NE(refused("<path d='M50 50'/>", kCamera).find("nothing is drawn"),
+              std::string::npos);
     EXPECT_NE(refused("<path d='M50 10 L50 60'/>", kCamera).find("upright"),
               std::string::npos);
     EXPECT_NE(refused(kStroke,
