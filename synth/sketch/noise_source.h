@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field/terrain.h"
+#include "synth/context.h"
+#include "synth/sketch/landform.h"
+#include "synth/sketch/options.h"
+
+namespace cydonia::sketch {
+
+// What landforms' noise is made of, as options say: wavelets, or real land's bands.
+class NoiseSource {
+  public:
+    // Throws bad_request for real land that cannot be read, or is level.
+    NoiseSource(const Options& options, const Terrain& terrain, const Context& context);
+
+    // Of a feature that is to be made on the land; may set how strong its bands are.
+    Noise of(std::vector<Landform>& landforms, const Field<float>& land,
+             std::uint64_t seed) const;
+
+  private:
+    void measure();
+    double stretch() const;
+    Field<float> detailed(const std::vector<Landform>& landforms,
+                          const Field<float>& land, int levels, std::uint64_t seed) const;
+
+    const Options& options_;
+    const Context& context_;
+    double spacing_, model_spacing_ = 1.0;
+    std::vector<double>
+        strength_;  // of the finest bands, metres; empty: the silhouettes'
+    Field<float> synthesised_;
+};
+
+}  // namespace cydonia::sketch
