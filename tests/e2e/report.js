@@ -9,22 +9,21 @@ const overlap = "document.querySelector('.match output')?.value ?? ''";
 // How the page behaves when its sun is moved and its image asked for.
 async function use(page) {
   const seen = () => page.screenshot("/dev/null", "#view");
-  // A busy machine's first pictures may be of a canvas not composed yet: what must hold
-  // is that the view comes to rest and stays there.
+  // On a busy machine a canvas may be composed late and once more: what must hold is that
+  // the view comes to rest, a second long, within twenty.
   const settled = async () => {
     await page.drawn();
     let last = await seen();
-    for (let look = 0; look < 20; ++look) {
-      await new Promise((done) => setTimeout(done, 100));
+    for (let look = 0, alike = 0; look < 80; ++look) {
+      await new Promise((done) => setTimeout(done, 250));
       const next = await seen();
-      if (next === last) break;
+      alike = next === last ? alike + 1 : 0;
       last = next;
+      if (alike === 4) return { picture: last, rests: true };
     }
-    return last;
+    return { picture: last, rests: false };
   };
   const first = await settled();
-  await new Promise((done) => setTimeout(done, 500));
-  const still = await seen();
   await page.value("document.querySelector('.match') && document.querySelector('.match').scrollIntoView()");
   const before = await page.value(overlap);
   await page.value("(() => { const s = document.getElementById('azimuth'); s.value = (+s.value + 120) % 360; s.dispatchEvent(new Event('input')); })()");
@@ -34,7 +33,7 @@ async function use(page) {
   await new Promise((done) => setTimeout(done, calm ? 100 : 2500));
   await page.drawn();
   return {
-    steady: first === still, moves: first !== moved, before, found: await page.value(overlap),
+    steady: first.rests && moved.rests, moves: first.picture !== moved.picture, before, found: await page.value(overlap),
     says: await page.value("document.getElementById('degraded').textContent"),
   };
 }
