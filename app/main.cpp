@@ -22,7 +22,7 @@ void describe(CLI::App& app) {
     app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
     app.set_help_flag("-h,--help", "print this help");
     app.footer(
-        "Also: emit, frame-for-sketch, gallery, info, reproduce, schema, validate.\n"
+        "Also: emit frame-for-sketch gallery info library reproduce schema validate\n"
         "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n");
     app.require_subcommand(0, 1);
     format_plainly(app);
@@ -40,14 +40,15 @@ void add_commands(CLI::App& app, Action& action) {
     add_emit(app, action);
     add_export(app, action);
     add_frame_for_sketch(app, action);
+    add_library(app, action);
     add_reproduce(app, action);
     add_gallery(app, action);
     add_validate(app, action);
     add_schema(app, action);
     add_info(app, action);
     // The overview fits a screen without what few look for there.
-    for (const char* name : {"emit", "frame-for-sketch", "gallery", "info", "reproduce",
-                             "schema", "validate"})
+    for (const char* name : {"emit", "frame-for-sketch", "gallery", "info", "library",
+                             "reproduce", "schema", "validate"})
         app.get_subcommand(name)->group("");
 }
 

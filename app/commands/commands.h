@@ -31,6 +31,7 @@ void add_watch(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_gallery(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_library(CLI::App& app, Action& action);
 void add_frame_for_sketch(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);

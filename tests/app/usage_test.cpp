@@ -44,7 +44,7 @@ TEST(Usage, HelpFitsAScreenAndEndsWithAnExample) {
     for (const char* command :
          {"new", "render", "sweep", "turntable", "film", "synth", "check", "report",
           "emit", "export", "farm", "reproduce", "gallery", "watch", "validate", "schema",
-          "info", "frame-for-sketch"}) {
+          "info", "frame-for-sketch", "library"}) {
         const Outcome outcome = ask({command, "--help"});
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.out.find(command), std::string::npos);
