@@ -1,5 +1,5 @@
-// What analysing a terrain library takes (docs/terrain-library.md): twenty models of 1024 x
-// 1024 samples at 10 m, at all levels.
+// What analysing a terrain library takes (docs/terrain-library.md): twenty models of 1024
+// x 1024 samples at 10 m, at all levels.
 
 #include <fmt/core.h>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "config/reader/elevation_models.h"
+#include "config/reader/library_ttl.h"
 #include "config/reader/mistakes.h"
 #include "config/reader/parse.h"
 #include "config/reader/table.h"
@@ -59,6 +60,7 @@ void read(Table& t, LibraryOptions& library) {
 }
 
 LibraryOptions load_library(const std::filesystem::path& file) {
+    if (file.extension() == ".ttl") return load_ttl(file);
     const Origins origins{file.string(), {}};
     const Value root = parse(read_text(file, kMostBytes), origins.file);
     Files files(file.parent_path());

@@ -6,7 +6,7 @@
 
 namespace cydonia::config {
 
-// A terrain library (Saunders 2006, figure V.5, as TOML):
+// A terrain library, as TOML (or .ttl, library_ttl.h):
 //
 //     levels = [90.0]
 //     [[type]]

@@ -83,6 +83,36 @@ TEST_F(Libraries, ClassifyLand) {
     EXPECT_NE(compared.out.find("edge strength"), std::string::npos) << compared.out;
 }
 
+// Saunders 2006, figure V.5.
+TEST_F(Libraries, AreReadFromTheThesisForm) {
+    const std::string types =
+        "# A Terrain Type entry\n[Terrain Type: High_Land]\n"
+        "    color = <0.6, 0.6, 0.3, 1.0>\n    sample = \"high-0\"   # by its name\n"
+        "    sample = \"high-1\"\n\n[Terrain Type: Low_Land]\n    sample = \"low-0\"\n"
+        "    sample = \"low-1.tif\"\n[Terrain Seam: High_Land & Low_Land]\n"
+        "    smoothness = 0.3\n[Aggregate: LOD_30m]\n"
+        "    elevation_mean_variance      = 8.18938e+008f\n";
+    folder.write("land.ttl", types);
+    const Outcome outcome = ask({"analyse", "land.ttl"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("30 m\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("High_Land"), std::string::npos);
+    for (const auto& [text, reason] :
+         {std::pair{"[Terrain Type: A]\nsample = \"gone\"\n", "land.ttl:2: no elevation"},
+          std::pair{"[Terrain Type: A]\nsample = \"../land\"\n",
+                    "land.ttl:2: no elevation"},
+          std::pair{"[Terrain Type: A]\nsample = high-0\n", "in quotes"},
+          std::pair{"[Terrain Type: A\n", "ends with ]"},
+          std::pair{"[Terrain Type: A]\n[Terrain Type: A]\n", "two terrain types 'A'"},
+          std::pair{"[Terrain Type: A]\n\x01\x02\xff\n", "land.ttl:2: expected"},
+          std::pair{"# nothing\n", "no [Terrain Type"}}) {
+        folder.write("land.ttl", text);
+        const Outcome refused = ask({"analyse", "land.ttl"});
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find(reason), std::string::npos) << refused.err;
+    }
+}
+
 TEST_F(Libraries, ThatSayNothingAreRefused) {
     expect_refused("levels = [30.0]\n", "no types");
     expect_refused("[[type]]\nname = \"a\"\n[[type]]\nname = \"a\"\n", "a");
