@@ -11,9 +11,10 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr int kValues = 16384;            // of a stroke
-constexpr double kShortest = 1.0 / 2048;  // of the page: its lines, which bend here
-constexpr double kStep = 0.25;            // samples, along lines of sight
+constexpr int kValues = 16384;              // of a stroke
+constexpr double kShortest = 1.0 / 2048;    // of the page: its lines, which bend here
+constexpr int kNarrowest = 8, kBelow = 10;  // values; lines below a stroke
+constexpr double kStep = 0.25;              // samples, along lines of sight
 
 using texture::dot;
 using texture::from_to;
@@ -43,6 +44,40 @@ std::optional<std::array<double, 2>> over_terrain(const Field<float>& land,
 
 Point2 on_way(const Point2& eye, const Point2& direction, double metres) {
     return {eye[0] + metres * direction[0], eye[1] + metres * direction[1]};
+}
+
+// The least over so many values on both sides of each, averaged over as many: nowhere
+// above the line.
+Field<float> lowered(const Field<float>& line, int half) {
+    const int n = line.width();
+    Field<float> least = line;
+    for (int done = 0; done < half;) {
+        const int step = std::min(std::max(done, 1), half - done);
+        Field<float> wider = least;
+        for (int i = 0; i < n; ++i)
+            wider[std::size_t(i)] =
+                std::min(least[std::size_t(std::max(0, i - step))],
+                         least[std::size_t(std::min(n - 1, i + step))]);
+        for (int i = 0; i < n; ++i)
+            wider[std::size_t(i)] =
+                std::min(wider[std::size_t(i)], least[std::size_t(i)]);
+        least = std::move(wider), done += step;
+    }
+    std::vector<double> sums(std::size_t(n) + 1, 0.0);
+    for (int i = 0; i < n; ++i)
+        sums[std::size_t(i) + 1] = sums[std::size_t(i)] + double(least[std::size_t(i)]);
+    Field<float> mean(n, 1);
+    for (int i = 0; i < n; ++i) {
+        const auto from = std::size_t(std::max(0, i - half)),
+                   to = std::size_t(std::min(n, i + half + 1));
+        // Beyond the ends they go on level.
+        const double before = std::max(0, half - i) * double(least[0]),
+                     after = std::max(0, i + half + 1 - n) *
+                             double(least[std::size_t(n - 1)]);
+        mean[std::size_t(i)] =
+            float((sums[to] - sums[from] + before + after) / (2 * half + 1));
+    }
+    return mean;
 }
 
 }  // namespace
@@ -105,6 +140,8 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
     if (line_.folds)
         progress.note(fmt::format(
             "'{}': its silhouette folds back; what is drawn last counts there", name));
+    for (int i = 0; i < kBelow; ++i)
+        below_.push_back(lowered(line_.values, kNarrowest << i));
 }
 
 std::optional<double> Sight::azimuth_of(const Point2& place) const {
@@ -114,19 +151,35 @@ std::optional<double> Sight::azimuth_of(const Point2& place) const {
     return std::atan2(dot(d, right_), forward);
 }
 
+double Sight::at(const Field<float>& line, double azimuth) const {
+    const double k =
+        std::clamp((azimuth - line_.left) / (line_.right - line_.left), 0.0, 1.0) *
+        (kValues - 1);
+    const auto i = std::min(std::size_t(k), std::size_t(kValues - 2));
+    return line[i] + (k - double(i)) * (double(line[i + 1]) - double(line[i]));
+}
+
 std::optional<double> Sight::height_over(const Point2& place) const {
     const auto azimuth = azimuth_of(place);
     // The ends themselves are in.
     const double margin = 1e-9 + 1e-6 * (line_.right - line_.left);
     if (!azimuth || *azimuth < line_.left - margin || *azimuth > line_.right + margin)
         return {};
-    const double k =
-        std::clamp((*azimuth - line_.left) / (line_.right - line_.left), 0.0, 1.0) *
-        (kValues - 1);
-    const auto i = std::min(std::size_t(k), std::size_t(kValues - 2));
-    const double rise = line_.values[i] + (k - double(i)) * (double(line_.values[i + 1]) -
-                                                             double(line_.values[i]));
-    return eye_height() + rise * texture::distance(eye(), place);
+    return eye_height() + at(line_.values, *azimuth) * texture::distance(eye(), place);
+}
+
+std::optional<double> Sight::height_below(const Point2& place, double metres) const {
+    const auto azimuth = azimuth_of(place);
+    if (!azimuth) return {};
+    const double distance = texture::distance(eye(), place);
+    // Between two lines, the stroke being the first.
+    const double values =
+        metres / distance / (line_.right - line_.left) * (kValues - 1) / kNarrowest;
+    const double level = std::clamp(std::log2(1.0 + values), 0.0, double(kBelow));
+    const auto i = std::min(std::size_t(level), std::size_t(kBelow - 1));
+    const double upper = at(i == 0 ? line_.values : below_[i - 1], *azimuth),
+                 lower = at(below_[i], *azimuth);
+    return eye_height() + (upper + (level - double(i)) * (lower - upper)) * distance;
 }
 
 Sight::Ray Sight::ray_at(double azimuth, double rise) const {

@@ -22,6 +22,9 @@ class Sight {
 
     // Metres, where the line of sight passes over a place; none beside the stroke.
     std::optional<double> height_over(const Point2& place) const;
+    // The same of a line below the stroke that has nothing narrower than so many metres
+    // there; beside the stroke it goes on as at its ends. None behind the camera.
+    std::optional<double> height_below(const Point2& place, double metres) const;
 
     // The lines of sight to the stroke's left and right end: a direction on the ground of
     // length 1, and metres that it rises a metre.
@@ -47,7 +50,11 @@ class Sight {
 
     Camera camera_;
     Point2 ahead_, right_;  // on the ground
-    Line line_;             // rise by azimuth
+    double at(const Field<float>& line, double azimuth) const;
+
+    Line line_;  // rise by azimuth
+    // Below it, each without what is narrower than twice the one before.
+    std::vector<Field<float>> below_;
 };
 
 // Where a line of sight ends: on the land, or, over all of it, on the wall that stands on

@@ -51,17 +51,23 @@ void keep_to(const Sight& sight, const Plan& plan,
         for (const Foot& foot : feet[k]) {
             const int x = int(foot.index) % land.heights.width(),
                       y = int(foot.index) / land.heights.width();
-            const auto line = sight.height_over(
-                {spacing * (x + 0.5), spacing * (land.heights.height() - y - 0.5)});
-            if (!line) continue;
+            const Point2 place{spacing * (x + 0.5),
+                               spacing * (land.heights.height() - y - 0.5)};
             const double begin = landform.goes_on[0] ? kEnds : step * double(foot.place),
                          end = landform.goes_on[1] ? kEnds
                                                    : step * (landform.silhouette.width() -
                                                              1 - double(foot.place));
-            const double crest = smoothstep(kFoot, kCrest, double(foot.distance)) *
-                                 smoothstep(0.0, kEnds, std::min(begin, end));
             float& height = land.heights[foot.index];
-            height += float(crest * (*line - height));
+            if (const auto line = sight.height_over(place)) {
+                const double crest = smoothstep(kFoot, kCrest, double(foot.distance)) *
+                                     smoothstep(0.0, kEnds, std::min(begin, end));
+                height += float(crest * (*line - height));
+            }
+            // The farther from the crest, the less of its teeth: they would be drawn out
+            // into furrows along the lines of sight.
+            const double away = std::max(0.0, double(foot.distance) - kFoot) * spacing;
+            const auto line = sight.height_below(place, 0.5 * away);
+            if (!line) continue;
             // Land that stood above the line already may do so, but not rise.
             const double most = std::max(*line, double(before[foot.index]));
             const double above = height - most;
