@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/library_plot.h"
 #include "app/pipeline/cache.h"
 #include "app/pipeline/output_folder.h"
 #include "app/threads.h"
@@ -173,16 +174,29 @@ void print_head(const Level& level, std::string_view last) {
     fmt::print("  {}\n", last);
 }
 
+// Where its plots and analyses go.
+fs::path folder_of(const LibraryRequest& request) {
+    return request.output.empty() ? fs::path("out") / request.library.stem()
+                                  : request.output;
+}
+
 void run(const LibraryRequest& request, Console& console,
          const std::function<void(const genetic::LibraryOptions&, Analyst&)>& work) {
     with_threads(request.threads, [&] {
         const genetic::LibraryOptions options = config::load_library(request.library);
-        const fs::path folder =
-            request.output.empty() ? fs::path("out") / options.name : request.output;
+        const fs::path folder = folder_of(request);
         const OutputFolder claim(folder);
         Analyst analyst(folder / ".cache" / "analyses", console);
         work(options, analyst);
+        console.note("plots in " + folder.string());
     });
+}
+
+void plot(const LibraryRequest& request, const Level& level, const std::string& name,
+          const Analysis* land = nullptr) {
+    write_text(folder_of(request) / fmt::format("{}-{:g}m.svg", name, level.spacing),
+               library_plot(level.library, level.spacing,
+                            request.land.filename().string(), land));
 }
 
 // Of the land, at the levels that it and the library have.
@@ -210,6 +224,7 @@ void analyse_library(const LibraryRequest& request, Console& console) {
         console.finish();
         for (const Level& level : levels) {
             const Library& library = level.library;
+            plot(request, level, "library");
             print_head(level, "examples  own    other");
             for (std::size_t t = 0; t < library.types().size(); ++t) {
                 const genetic::Type& type = library.types()[t];
@@ -244,6 +259,7 @@ void compare_with_library(const LibraryRequest& request, Console& console) {
         console.finish();
         for (const auto& [level, land] : levels) {
             const Library& library = level.library;
+            plot(request, level, "compared", &land);
             print_head(level, "all");
             for (std::size_t t = 0; t < library.types().size(); ++t) {
                 fmt::print("  {:{}}", library.types()[t].name, width_of(library));
@@ -264,6 +280,7 @@ void classify_by_library(const LibraryRequest& request, Console& console) {
         console.finish();
         for (const auto& [level, land] : levels) {
             const Library& library = level.library;
+            plot(request, level, "compared", &land);
             std::size_t best = 0;
             for (std::size_t t = 1; t < library.types().size(); ++t)
                 if (library.similarity(t, land) > library.similarity(best, land))

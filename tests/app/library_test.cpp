@@ -1,11 +1,13 @@
 // Terrain libraries, through the program that was built.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "field/dem.h"
 #include "field/files.h"
 #include "field/noise.h"
+#include "field/svg.h"
 #include "tests/app/program.h"
 
 namespace fs = std::filesystem;
@@ -22,7 +24,7 @@ struct Libraries : testing::Test {
             write("low-" + std::to_string(i), 60.0, std::uint64_t(i + 10));
         }
         folder.write("land.toml",
-                     "levels = [60.0, 30.0]\n[[type]]\nname = \"high\"\n"
+                     "levels = [60.0, 30.0]\n[[type]]\nname = \"<high>\"\n"
                      "examples = \"high-*.tif\"\n[[type]]\nname = \"low\"\n"
                      "examples = [\"low-0.tif\", \"low-1.tif\", \"low-2.tif\"]\n");
     }
@@ -76,9 +78,21 @@ TEST_F(Libraries, ClassifyLand) {
     write("new", 480.0, 33);
     const Outcome outcome = ask({"classify", "land.toml", "new.tif"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("30 m: high ("), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("30 m: <high> ("), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("agreement"), std::string::npos);
     const Outcome compared = ask({"compare", "land.toml", "new.tif"});
+    for (const char* level : {"60m", "30m"}) {
+        const fs::path plot =
+            folder / ("out/land/compared-" + std::string(level) + ".svg");
+        const std::string text = read_text(plot);
+        EXPECT_NE(text.find("new.tif"), std::string::npos);
+        EXPECT_NE(text.find("&lt;high&gt;"), std::string::npos);  // any name is text
+        const Field<Rgba8> picture =
+            read_svg(open_source(plot), 430, 430, SvgEdges::kSmooth);
+        EXPECT_TRUE(std::ranges::any_of(picture, [](const Rgba8& pixel) {
+            return pixel[2] > 120 && pixel[0] < 60;  // a type's blue
+        }));
+    }
     EXPECT_EQ(compared.code, 0);
     EXPECT_NE(compared.out.find("edge strength"), std::string::npos) << compared.out;
 }
