@@ -91,16 +91,22 @@ class Analyst {
     }
     static Terrain part_of(const Terrain& model, const std::array<double, 4>& window) {
         const int w = model.heights.width(), h = model.heights.height();
-        const auto sample = [](double share, int n) { return int(share * n + 0.5); };
-        const int x0 = sample(window[0], w), x1 = std::max(x0 + 1, sample(window[2], w)),
-                  y0 = h - std::max(sample(window[1], h) + 1, sample(window[3], h)),
-                  y1 = h - sample(window[1], h);
+        // At least one sample.
+        const auto begin = [](double share, int n) {
+            return std::min(int(share * n), n - 1);
+        };
+        const auto end = [](double share, int n) {
+            return std::max(1, int(share * n + 0.5));
+        };
+        const int x0 = begin(window[0], w), x1 = std::max(x0 + 1, end(window[2], w)),
+                  y0 = begin(1.0 - window[3], h),
+                  y1 = std::max(y0 + 1, end(1.0 - window[1], h));
         Terrain part;
         part.spacing = model.spacing;
-        part.heights = Field<float>(std::min(x1, w) - x0, y1 - std::max(0, y0));
-        for (int y = 0; y < part.heights.height(); ++y)
-            for (int x = 0; x < part.heights.width(); ++x)
-                part.heights(x, y) = model.heights(x0 + x, std::max(0, y0) + y);
+        part.heights = Field<float>(x1 - x0, y1 - y0);
+        for (int y = y0; y < y1; ++y)
+            std::copy_n(model.heights.row(y).begin() + x0, x1 - x0,
+                        part.heights.row(y - y0).begin());
         return part;
     }
     const Terrain& model_of(const Source& source) {
@@ -165,6 +171,15 @@ std::size_t width_of(const Library& library) {
     for (const genetic::Type& type : library.types())
         width = std::max(width, type.name.size());
     return width;
+}
+
+// A number under each quantity's name.
+void print_row(const Library& library, std::size_t type,
+               const std::function<double(Quantity)>& value) {
+    fmt::print("  {:{}}", library.types()[type].name, width_of(library));
+    for (int q = 0; q < genetic::kQuantities; ++q)
+        fmt::print("  {:>{}.2f}", value(Quantity(q)),
+                   genetic::kQuantityNames[std::size_t(q)].size());
 }
 
 void print_head(const Level& level, std::string_view last) {
@@ -237,10 +252,8 @@ void analyse_library(const LibraryRequest& request, Console& console) {
                         else
                             other = std::max(other, like);
                     }
-                fmt::print("  {:{}}", type.name, width_of(library));
-                for (int q = 0; q < genetic::kQuantities; ++q)
-                    fmt::print("  {:>{}.2f}", library.agreement(t, Quantity(q)),
-                               genetic::kQuantityNames[std::size_t(q)].size());
+                print_row(library, t,
+                          [&](Quantity q) { return library.agreement(t, q); });
                 fmt::print("  {:>8}  {:.2f}  {:>5.2f}\n", type.examples.size(), own,
                            other);
             }
@@ -262,11 +275,9 @@ void compare_with_library(const LibraryRequest& request, Console& console) {
             plot(request, level, "compared", &land);
             print_head(level, "all");
             for (std::size_t t = 0; t < library.types().size(); ++t) {
-                fmt::print("  {:{}}", library.types()[t].name, width_of(library));
-                for (int q = 0; q < genetic::kQuantities; ++q)
-                    fmt::print("  {:>{}.2f}",
-                               library.likeness(t, Quantity(q), land).similarity,
-                               genetic::kQuantityNames[std::size_t(q)].size());
+                print_row(library, t, [&](Quantity q) {
+                    return library.likeness(t, q, land).similarity;
+                });
                 fmt::print("  {:.2f}\n", library.similarity(t, land));
             }
         }
