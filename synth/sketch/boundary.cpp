@@ -15,6 +15,7 @@ namespace {
 constexpr double kLevel = 0.25;          // of a shoulder's steepest slope: it levels off
 constexpr double kNarrowest = 1.0 / 16;  // of the length, of a shoulder
 constexpr int kMostPlaces = 4096;
+constexpr std::size_t kMostLines = 100'000;  // of a boundary
 
 // How many values from the begin of a line to where it first turns or levels off.
 int shoulder(const std::vector<double>& line) {
@@ -132,6 +133,10 @@ Boundary rounded(Boundary boundary, double length, const std::array<bool, 2>& go
 Boundary drawn_boundary(const texture::Shape& shadow,
                         const std::vector<texture::NamedShape>& curves, double spacing,
                         const std::string& name, Progress& progress) {
+    std::size_t lines = 0;
+    for (const texture::NamedShape& curve : curves) lines += curve.shape.points.size();
+    if (lines > kMostLines)
+        throw bad_request("'{}': its boundary has more than {} points", name, kMostLines);
     const int count =
         std::clamp(int(std::ceil(shadow.length() / spacing)), 8, kMostPlaces);
     Table table;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kTypicalSlope = 30.0;  // degrees (notes.md, Gain 2009, 2)
 constexpr double kMostValues = 65536.0;
+constexpr std::size_t kMostWays = 256;  // of a landform
 
 texture::Curve curve_of(const std::string& name, const Way& way) {
     texture::Curve curve{.name = name};
@@ -216,6 +217,9 @@ std::vector<texture::NamedShape> ways_of(const std::string& name, const Way& way
                                          const Land& land, Progress& progress) {
     auto shapes = texture::shapes_of(curve_of(name, way), land.ground);
     if (shapes.size() == 1) shapes[0].name = name;
+    if (shapes.size() > kMostWays)
+        throw bad_request("'{}': {} paths are too many for one; at most {}", name,
+                          shapes.size(), kMostWays);
     for (texture::NamedShape& named : shapes)
         if (const int loops = cut_loops(named.shape.points)) {
             named.shape =

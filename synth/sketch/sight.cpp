@@ -11,10 +11,11 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr int kValues = 16384;              // of a stroke
-constexpr double kShortest = 1.0 / 2048;    // of the page: its lines, which bend here
-constexpr int kNarrowest = 8, kBelow = 10;  // values; lines below a stroke
-constexpr double kStep = 0.25;              // samples, along lines of sight
+constexpr int kValues = 16384;                  // of a stroke
+constexpr double kShortest = 1.0 / 2048;        // of the page: its lines, which bend here
+constexpr std::size_t kMostPoints = 4'000'000;  // of strokes
+constexpr int kNarrowest = 8, kBelow = 10;      // values; lines below a stroke
+constexpr double kStep = 0.25;                  // samples, along lines of sight
 
 using texture::dot;
 using texture::from_to;
@@ -106,6 +107,7 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
         }))
         throw bad_request("{}: '{}': its stroke is outside the frame; draw on the page",
                           view.drawing.name(), name);
+    std::size_t count = 0;
     for (const SvgPath& path : paths) {
         auto& stroke = strokes.emplace_back();
         const auto add = [&](const Point2& p) {
@@ -125,6 +127,9 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
             const Point2 &a = path.points[i - 1], &b = path.points[i];
             const int parts =
                 std::clamp(int(std::ceil(texture::distance(a, b) / kShortest)), 1, 8192);
+            if ((count += std::size_t(parts)) > kMostPoints)
+                throw bad_request("{}: '{}': its strokes are too long: draw on the page",
+                                  view.drawing.name(), name);
             for (int k = 1; k <= parts; ++k)
                 add(texture::between(a, b, double(k) / parts));
         }
@@ -203,12 +208,15 @@ double Sight::row_of(double azimuth, double rise) const {
 double Sight::skyline_off(const Field<float>& land, const Field<float>& before,
                           double spacing, const std::vector<bool>& counts) const {
     const double pixel = pixel_side(camera_);
-    const int columns =
-        std::max(1, int((std::tan(line_.right) - std::tan(line_.left)) / pixel));
+    // Of the frame, and a little more.
+    const double half = 1.5 * std::tan(0.5 * camera_.field_of_view);
+    const double from = std::max(std::tan(line_.left), -half),
+                 to = std::min(std::tan(line_.right), half);
+    const int columns = int(std::max(0.0, to - from) / pixel);
     double sum = 0.0;
     int seen = 0;
     for (int c = 0; c < columns; ++c) {
-        const double azimuth = std::atan(std::tan(line_.left) + (c + 0.5) * pixel);
+        const double azimuth = std::atan(from + (c + 0.5) * pixel);
         const Ray ray = ray_at(azimuth, 0.0);
         const auto span = over_terrain(land, spacing, eye(), ray.direction);
         if (!span) continue;

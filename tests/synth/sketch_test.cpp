@@ -338,6 +338,20 @@ TEST_F(Sketch, ViewsThatShowNothingAreRefused) {
               std::string::npos);
 }
 
+// Strokes from strangers end in time.
+TEST_F(Sketch, StrokesFarBeyondTheFrameTakeNoLonger) {
+    Options options;
+    options.features = {seen("<path d='M-900000 65 L45 40 L55 46 L900000 66'/>")};
+    options.features[0].way.points = {{metres(100.0), metres(800.0)},
+                                      {metres(1900.0), metres(900.0)}};
+    made(options);
+    std::string many;
+    for (int i = 0; i < 300; ++i) many += fmt::format("<path d='M{} 10 V90'/>", i % 97);
+    options.features = {feature(100.0)};
+    options.features[0].way = {{}, drawing(many), ""};
+    EXPECT_NE(complaint(options).find("300 paths are too many"), std::string::npos);
+}
+
 // Figure 3: one peak stands on a disc, a range of short shoulders on a long capsule.
 TEST_F(Sketch, DefaultBoundariesAreCapsules) {
     Field<float> peak(201, 1), range(201, 1);
