@@ -105,10 +105,13 @@ Outcome run_and_signal(const Start& start, const std::vector<std::string>& argum
 std::vector<std::string> files_below(const fs::path& folder) {
     std::vector<std::string> files;
     if (!fs::exists(folder)) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) {
-            files.push_back(fs::relative(entry.path(), folder).generic_string());
-        }
+    // A program at work may take files away while they are listed.
+    std::error_code gone;
+    for (fs::recursive_directory_iterator at(folder, gone), end; !gone && at != end;
+         at.increment(gone)) {
+        std::error_code none;
+        if (at->is_regular_file(none))
+            files.push_back(at->path().lexically_relative(folder).generic_string());
     }
     std::ranges::sort(files);
     return files;
