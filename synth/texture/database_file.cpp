@@ -48,6 +48,10 @@ std::uint64_t database_key(const Options& options) {
         key.add(exemplar.types.has_value());
         if (exemplar.types) key.add(*exemplar.types);
         key.add(exemplar.type);
+        for (const double side : exemplar.window) key.add(side);
+        key.add(exemplar.scale);
+        key.add(exemplar.vertical_scale);
+        key.add(exemplar.raise);
     }
     key.add(options.spacing);
     key.add(options.scale);

@@ -13,22 +13,12 @@ namespace {
 
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 28;  // of all exemplars
 
-struct Model {
-    Terrain terrain;
-    Field<std::uint8_t> voids;
-};
-
-Model model_of(const Exemplar& exemplar, const Options& options, Progress& progress) {
-    Model model;
-    std::string what_was_done;
-    model.terrain = read_dem(exemplar.source, &what_was_done, &model.voids);
-    if (!what_was_done.empty())
-        progress.note(fmt::format("{}: {}", exemplar.source.name(), what_was_done));
-    model.terrain.spacing *= options.scale;
-    if (options.vertical_scale != 1.0)
-        for (float& height : model.terrain.heights)
-            height = static_cast<float>(height * options.vertical_scale);
-    return model;
+template <class T>
+Field<T> part(const Field<T>& from, int x, int y, int width, int height) {
+    Field<T> result(width, height);
+    for (int row = 0; row < height; ++row)
+        std::copy_n(from.row(y + row).begin() + x, width, result.row(row).begin());
+    return result;
 }
 
 void refuse_size(const std::string& name, double width, double height, double spacing) {
@@ -61,30 +51,6 @@ void refuse_unusable(const std::string& name, const Model& model) {
             name, low + 0.0f);  // no -0
 }
 
-// On cells of another size, as many as fit, the rest shared between opposite edges.
-Model resampled(const std::string& name, const Model& model, double spacing) {
-    const Field<float>& from = model.terrain.heights;
-    const double cell = spacing / model.terrain.spacing;
-    const double columns = std::floor(from.width() / cell + 1e-6);
-    const double rows = std::floor(from.height() / cell + 1e-6);
-    refuse_size(name, columns, rows, spacing);
-    const int width = static_cast<int>(columns), height = static_cast<int>(rows);
-    const SampleGrid grid{0.5 * (from.width() - cell * width),
-                          0.5 * (from.height() - cell * height), cell};
-    Model result;
-    result.terrain.spacing = spacing;
-    result.terrain.heights = sampled(from, grid, width, height);
-    if (!model.voids.empty()) {
-        Field<float> share(from.width(), from.height());
-        std::ranges::copy(model.voids, share.begin());
-        share = sampled(share, grid, width, height);
-        result.voids = Field<std::uint8_t>(width, height);
-        std::ranges::transform(share, result.voids.begin(),
-                               [](float weight) { return std::abs(weight) > 0.02f; });
-    }
-    return result;
-}
-
 Model at_spacing(const std::string& name, Model model, double spacing,
                  Progress& progress) {
     const double own = model.terrain.spacing;
@@ -92,7 +58,11 @@ Model at_spacing(const std::string& name, Model model, double spacing,
     progress.note(
         fmt::format("{}: its cells of {:.4g} m were resampled to the synthesis' {:.4g} m",
                     name, own, spacing));
-    return resampled(name, model, spacing);
+    const double columns =
+        std::floor(model.terrain.heights.width() * own / spacing + 1e-6);
+    const double rows = std::floor(model.terrain.heights.height() * own / spacing + 1e-6);
+    refuse_size(name, columns, rows, spacing);
+    return resampled(model, spacing);
 }
 
 // T^0 of all lands.
@@ -115,6 +85,55 @@ void add_types(const Options& options, Lands& lands) {
 
 }  // namespace
 
+Model model_of(const Exemplar& exemplar, Progress& progress) {
+    Model model;
+    std::string what_was_done;
+    model.terrain = read_dem(exemplar.source, &what_was_done, &model.voids);
+    if (!what_was_done.empty())
+        progress.note(fmt::format("{}: {}", exemplar.source.name(), what_was_done));
+    const int w = model.terrain.heights.width(), h = model.terrain.heights.height();
+    const auto at = [](double share, int n) {
+        return std::clamp(int(std::lround(share * n)), 0, n);
+    };
+    const auto [west, south, east, north] = exemplar.window;
+    const int x = at(west, w), y = at(1.0 - north, h), columns = at(east, w) - x,
+              rows = at(1.0 - south, h) - y;
+    if (columns < 1 || rows < 1)
+        throw bad_request("{}: its window holds none of its {} x {} cells",
+                          exemplar.source.name(), w, h);
+    if (columns < w || rows < h) {
+        model.terrain.heights = part(model.terrain.heights, x, y, columns, rows);
+        if (!model.voids.empty()) model.voids = part(model.voids, x, y, columns, rows);
+    }
+    model.terrain.spacing *= exemplar.scale;
+    if (exemplar.vertical_scale != 1.0 || exemplar.raise != 0.0)
+        for (float& height : model.terrain.heights)
+            height =
+                static_cast<float>(height * exemplar.vertical_scale + exemplar.raise);
+    return model;
+}
+
+Model resampled(const Model& model, double spacing) {
+    const Field<float>& from = model.terrain.heights;
+    const double cell = spacing / model.terrain.spacing;
+    const int width = static_cast<int>(std::floor(from.width() / cell + 1e-6)),
+              height = static_cast<int>(std::floor(from.height() / cell + 1e-6));
+    const SampleGrid grid{0.5 * (from.width() - cell * width),
+                          0.5 * (from.height() - cell * height), cell};
+    Model result;
+    result.terrain.spacing = spacing;
+    result.terrain.heights = sampled(from, grid, width, height);
+    if (!model.voids.empty()) {
+        Field<float> share(from.width(), from.height());
+        std::ranges::copy(model.voids, share.begin());
+        share = sampled(share, grid, width, height);
+        result.voids = Field<std::uint8_t>(width, height);
+        std::ranges::transform(share, result.voids.begin(),
+                               [](float weight) { return std::abs(weight) > 0.02f; });
+    }
+    return result;
+}
+
 Lands lands_of(const Options& options, Progress& progress) {
     if (options.exemplars.empty())
         throw bad_request("no exemplars: name at least one elevation model");
@@ -127,7 +146,11 @@ Lands lands_of(const Options& options, Progress& progress) {
     for (const Exemplar& exemplar : options.exemplars) {
         progress.report(double(lands.all.size()) / double(options.exemplars.size()));
         const std::string name = exemplar.source.name();
-        Model model = model_of(exemplar, options, progress);
+        Model model = model_of(exemplar, progress);
+        model.terrain.spacing *= options.scale;
+        if (options.vertical_scale != 1.0)
+            for (float& height : model.terrain.heights)
+                height = static_cast<float>(height * options.vertical_scale);
         if (lands.spacing == 0.0) lands.spacing = model.terrain.spacing;
         model = at_spacing(name, std::move(model), lands.spacing, progress);
         refuse_unusable(name, model);

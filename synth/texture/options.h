@@ -17,6 +17,11 @@ struct Exemplar {
     // Painted types: a picture in the types' colours, stretched over the model.
     std::optional<Source> types;
     std::string type;  // of the whole model instead; empty: none
+    // The part of it that is used: shares from its south-west corner, west, south, east
+    // and north.
+    std::array<double, 4> window{0.0, 0.0, 1.0, 1.0};
+    // Besides Options' own, and metres that it lies higher.
+    double scale = 1.0, vertical_scale = 1.0, raise = 0.0;
 };
 
 // T, section 5.2: a kind of land, by the colour that stands for it in pictures.
