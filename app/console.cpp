@@ -41,6 +41,7 @@ void Console::step(std::string_view name) {
     const std::scoped_lock lock(mutex_);
     end_step();
     name_ = name;
+    figure_.clear();
     begun_ = Clock::now();
     next_ = 0;
     if (style_ == Style::kBar) draw(0.0, 0.0);
@@ -65,6 +66,11 @@ void Console::report(double fraction) {
                 .time_since_epoch()
                 .count();
     draw(std::clamp(fraction, 0.0, 1.0), seconds_since(begun_));
+}
+
+void Console::figure(std::string_view text) {
+    const std::scoped_lock lock(mutex_);
+    figure_ = fmt::format(", {}", text);
 }
 
 void Console::note(std::string_view sentence) {
@@ -92,7 +98,7 @@ void Console::end_step() {
 }
 
 void Console::draw(double fraction, double elapsed) {
-    const std::string left = time_left(fraction, elapsed);
+    const std::string left = time_left(fraction, elapsed) + figure_;
     if (style_ == Style::kLines) {
         put(fmt::format("{}: {:.0f}%{}\n", name_, 100.0 * fraction, left));
         return;

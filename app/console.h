@@ -20,6 +20,7 @@ class Console final : public Progress {
 
     void step(std::string_view name) override;
     void report(double fraction) override;
+    void figure(std::string_view text) override;
     void note(std::string_view sentence) override;
     void warn(std::string_view sentence) override;
 
@@ -35,7 +36,8 @@ class Console final : public Progress {
 
     const Style style_;
     std::mutex mutex_;
-    std::string name_;  // of the step under way, empty between steps
+    std::string name_;    // of the step under way, empty between steps
+    std::string figure_;  // of its work so far
     Clock::time_point begun_;
     std::atomic<Clock::rep> next_{0};  // when the next report is worth showing
     bool bar_drawn_ = false;

@@ -12,6 +12,8 @@ class Progress {
     virtual void step(std::string_view name) = 0;
     // 0 to 1 within the step; any thread, often. Throws Interrupted after Ctrl-C.
     virtual void report(double fraction) = 0;
+    // How good the step's work is by now, shown beside how far it is: "fitness 0.71".
+    virtual void figure(std::string_view) {}
     // A sentence the user should read: what was resampled, what was chosen.
     virtual void note(std::string_view sentence) = 0;
     virtual void warn(std::string_view sentence) = 0;

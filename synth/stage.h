@@ -9,6 +9,7 @@
 #include "synth/dem/dem.h"
 #include "synth/detail/detail.h"
 #include "synth/distance/distance.h"
+#include "synth/genetic/genetic.h"
 #include "synth/pareidolia/pareidolia.h"
 #include "synth/sketch/sketch.h"
 #include "synth/texture/texture.h"
@@ -17,7 +18,8 @@ namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
 using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options,
-                                  texture::Options, detail::Options, sketch::Options>;
+                                  texture::Options, detail::Options, sketch::Options,
+                                  genetic::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {
@@ -37,6 +39,9 @@ inline Method method_of(const StageOptions& options) {
         }
         Method operator()(const distance::Options&) const {
             return {"distance", distance::kVersion};
+        }
+        Method operator()(const genetic::Options&) const {
+            return {"genetic", genetic::kVersion};
         }
         Method operator()(const pareidolia::Options&) const {
             return {"pareidolia", pareidolia::kVersion};
@@ -74,6 +79,9 @@ inline std::string_view whole_because(const StageOptions& options) {
         }
         Reason operator()(const distance::Options&) const {
             return "its paths cross the whole land";
+        }
+        Reason operator()(const genetic::Options&) const {
+            return "its regions are judged as wholes";
         }
         Reason operator()(const pareidolia::Options&) const {
             return "its shadows fall across the whole land";

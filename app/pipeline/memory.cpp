@@ -136,6 +136,19 @@ std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        cells +
                    noise + kDrawings;
         }
+        // A population of heights and their statistics, all samples of the library at
+        // all levels, and what texture knows of them.
+        std::uint64_t operator()(const genetic::Options& o) const {
+            texture::Options land;
+            for (const genetic::TypeOptions& type : o.library.types)
+                for (const genetic::Example& example : type.examples)
+                    land.exemplars.push_back({example.source, {}, {}});
+            const auto types = static_cast<std::uint64_t>(o.library.types.size());
+            return 60 * exemplar_cells(land) + (*this)(land) +
+                   (60 + 8 * types +
+                    20 * static_cast<std::uint64_t>(o.evolution.population)) *
+                       cells;
+        }
         // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
         // the land after that; 191 with recordings of all passes, for and of a run.
         std::uint64_t operator()(const texture::Options& o) const {

@@ -21,6 +21,7 @@ constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
     {"dem", stage_of<dem::Options>},
     {"detail", stage_of<detail::Options>},
     {"distance", stage_of<distance::Options>},
+    {"genetic", stage_of<genetic::Options>},
     {"pareidolia", stage_of<pareidolia::Options>},
     {"sketch", stage_of<sketch::Options>},
     {"texture", stage_of<texture::Options>},

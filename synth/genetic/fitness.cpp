@@ -13,7 +13,7 @@ constexpr double kQuarter = 0.25;  // notes.md, Saunders 2006, 2
 constexpr double kHalf = 0.5;
 constexpr double kLevel = 0.05;  // of a type's slopes: land so flat faces nowhere
 constexpr std::array<Quantity, 3> kJudged = {Quantity::kElevation, Quantity::kSlope,
-                                             Quantity::kEdgeStrength};
+                                             Quantity::kCurvature};
 
 double gaussian(double difference, double deviation) {
     return std::exp(-0.5 * difference * difference /
