@@ -18,8 +18,28 @@ constexpr double kRow = 22.0, kHead = 34.0, kFoot = 26.0;
 // Told apart by everybody (Okabe and Ito 2008).
 constexpr std::array<const char*, 7> kColours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444"};
-constexpr std::array<const char*, genetic::kQuantities> kUnits = {"m", "degrees", "m",
-                                                                  "m", "response"};
+constexpr std::array<const char*, genetic::kQuantities> kUnits = {
+    "m",
+    "degrees",
+    "asinh of 100 times the change of slope a sample",
+    "m in a window",
+    "0 to 1",
+    "octaves a band",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "response",
+    "% of samples"};
 
 struct Row {
     std::string name;

@@ -27,7 +27,9 @@ int main() {
     std::size_t edges = 0;
     for (const Terrain& model : models)
         for (const double level : {90.0, 30.0, 10.0})
-            edges += analysis_of(at_level(model, level))[2].count;
+            edges +=
+                analysis_of(at_level(model, level))[std::size_t(Quantity::kEdgeScale)]
+                    .count;
     fmt::print("{} models of {} x {} at 90, 30 and 10 m: {:.1f} s ({} edges)\n", kModels,
                kSide, kSide, watch.seconds(), edges);
 }
