@@ -64,4 +64,21 @@ Field<std::uint8_t> grown(const Field<std::uint8_t>& mask, int samples) {
     return result;
 }
 
+Field<std::uint8_t> touched(const Field<std::uint8_t>& mask, double cell, int width,
+                            int height) {
+    Field<std::uint8_t> result(width, height);
+    const auto begin = [&](int i, int n) {
+        return std::min(int(i * cell + 1e-6), n - 1);
+    };
+    const auto end = [&](int i, int n) {
+        return std::clamp(int(std::ceil((i + 1) * cell - 1e-6)), begin(i, n) + 1, n);
+    };
+    for (int y = 0; y < height; ++y)
+        for (int q = begin(y, mask.height()); q < end(y, mask.height()); ++q)
+            for (int x = 0; x < width; ++x)
+                for (int p = begin(x, mask.width()); p < end(x, mask.width()); ++p)
+                    result(x, y) |= mask(p, q);
+    return result;
+}
+
 }  // namespace cydonia::genetic

@@ -15,4 +15,9 @@ Field<std::uint8_t> water_of(const Field<float>& heights);
 // The mask and all that is at most so many samples from it, along x and along y.
 Field<std::uint8_t> grown(const Field<std::uint8_t>& mask, int samples);
 
+// The mask on another grid from the same north-west corner, whose samples are `cell` of
+// the mask's a side: 1 where one touches any that is set.
+Field<std::uint8_t> touched(const Field<std::uint8_t>& mask, double cell, int width,
+                            int height);
+
 }  // namespace cydonia::genetic
