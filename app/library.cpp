@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <functional>
 
+#include "app/library_analyst.h"
 #include "app/library_plot.h"
-#include "app/pipeline/cache.h"
+#include "app/library_types.h"
 #include "app/pipeline/output_folder.h"
 #include "app/threads.h"
 #include "config/reader/library.h"
-#include "field/dem.h"
 #include "field/error.h"
 #include "field/files.h"
 #include "synth/genetic/similarity.h"
@@ -24,110 +23,31 @@ namespace {
 using genetic::Analysis;
 using genetic::Library;
 using genetic::Quantity;
-using Json = nlohmann::json;
-
-constexpr double kFinest = 0.75;  // of a model's spacing: a level that it still has
-constexpr int kFewest = 48;       // samples a side that tell what land is like
-
-Json json_of(const Analysis& analysis) {
-    Json all = Json::array();
-    for (const genetic::Statistics& s : analysis)
-        all.push_back({s.count, s.mean, s.deviation, s.skewness, s.kurtosis});
-    return all;
-}
-
-// Nothing for what is damaged.
-std::optional<Analysis> kept(const fs::path& file) {
-    std::error_code none;
-    if (!fs::exists(file, none)) return {};
-    try {
-        const Json all = Json::parse(read_text(file));
-        Analysis analysis;
-        for (std::size_t q = 0; q < analysis.size(); ++q) {
-            const Json& s = all.at(q);
-            analysis[q] = {s.at(0).get<std::size_t>(), s.at(1).get<double>(),
-                           s.at(2).get<double>(), s.at(3).get<double>(),
-                           s.at(4).get<double>()};
-        }
-        return analysis;
-    } catch (const Json::exception&) {
-        return {};
-    }
-}
-
-// Analyses of elevation models, made once.
-class Analyst {
-  public:
-    Analyst(fs::path folder, Console& console)
-        : folder_(std::move(folder)), console_(console) {
-        make_folder(folder_);
-    }
-
-    // None where the model is too coarse or too small for the level.
-    std::optional<Analysis> operator()(const genetic::Example& example, double level) {
-        const fs::path file = folder_ / fmt::format("{:016x}.json", key(example, level));
-        if (auto analysis = kept(file)) return usable(*analysis);
-        const Terrain& model = model_of(example.source);
-        Analysis analysis{};  // empty: kept too
-        if (level >= kFinest * model.spacing) {
-            const Terrain land = genetic::at_level(part_of(model, example.window), level);
-            if (std::min(land.heights.width(), land.heights.height()) >= kFewest)
-                analysis = genetic::analysis_of(land);
-        }
-        write_text(file, json_of(analysis).dump());
-        return usable(analysis);
-    }
-
-  private:
-    static std::uint64_t key(const genetic::Example& example, double level) {
-        const auto& w = example.window;
-        return hash_text(fmt::format("analysis {} {:016x} {} {} {} {} {}",
-                                     genetic::kAnalysisVersion, example.source.hash, w[0],
-                                     w[1], w[2], w[3], level));
-    }
-    static std::optional<Analysis> usable(const Analysis& analysis) {
-        if (analysis[0].count == 0) return {};
-        return analysis;
-    }
-    static Terrain part_of(const Terrain& model, const std::array<double, 4>& window) {
-        const int w = model.heights.width(), h = model.heights.height();
-        // At least one sample.
-        const auto begin = [](double share, int n) {
-            return std::min(int(share * n), n - 1);
-        };
-        const auto end = [](double share, int n) {
-            return std::max(1, int(share * n + 0.5));
-        };
-        const int x0 = begin(window[0], w), x1 = std::max(x0 + 1, end(window[2], w)),
-                  y0 = begin(1.0 - window[3], h),
-                  y1 = std::max(y0 + 1, end(1.0 - window[1], h));
-        Terrain part;
-        part.spacing = model.spacing;
-        part.heights = Field<float>(x1 - x0, y1 - y0);
-        for (int y = y0; y < y1; ++y)
-            std::copy_n(model.heights.row(y).begin() + x0, x1 - x0,
-                        part.heights.row(y - y0).begin());
-        return part;
-    }
-    const Terrain& model_of(const Source& source) {
-        if (!model_ || hash_ != source.hash) {
-            console_.step("analysing " + source.name());
-            model_ = read_dem(source), hash_ = source.hash;
-        }
-        return *model_;
-    }
-
-    fs::path folder_;
-    Console& console_;
-    std::optional<Terrain> model_;  // the last one
-    std::uint64_t hash_ = 0;
-};
 
 // A library at one level of detail; types that have no example there are left out.
 struct Level {
     double spacing;
     Library library;
 };
+
+// What a type with few examples cannot tell.
+void say_few(const genetic::TypeOptions& type, const std::vector<Level>& levels,
+             Console& console) {
+    std::size_t most = 0;
+    for (const Level& level : levels)
+        for (const genetic::Type& own : level.library.types())
+            if (own.name == type.name) most = std::max(most, own.examples.size());
+    if (type.examples.empty())
+        console.warn(fmt::format("'{}' has no examples: nothing is like it", type.name));
+    else if (most == 0)
+        console.warn(fmt::format(
+            "'{}' has no example that is fine and large enough at any level", type.name));
+    else if (most == 1)
+        console.note(fmt::format(
+            "'{}' has one example, which cannot tell how far others differ from it: as "
+            "far as those of other types",
+            type.name));
+}
 
 std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& analyst,
                              Console& console) {
@@ -150,43 +70,52 @@ std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& an
                       [](const genetic::Type& type) { return type.examples.empty(); });
         if (!types[l].empty()) levels.push_back({options.levels[l], Library(types[l])});
     }
-    for (const auto& type : options.types)
-        if (std::ranges::none_of(levels, [&](const Level& level) {
-                return std::ranges::any_of(
-                    level.library.types(),
-                    [&](const genetic::Type& t) { return t.name == type.name; });
-            }))
-            console.warn(fmt::format(
-                "'{}' has no example that is fine and large enough at any level",
-                type.name));
+    for (const auto& type : options.types) say_few(type, levels, console);
     if (levels.empty())
         throw bad_request(
             "{}: no example is fine and large enough at any level ({} samples a side)",
-            options.name, kFewest);
+            options.name, kFewestSamples);
     return levels;
 }
 
-std::size_t width_of(const Library& library) {
+constexpr std::size_t kLongestName = 48, kColumns = 9;  // that 80 characters hold
+
+// At most so many bytes of a name, whole characters.
+std::string shortened(const std::string& name) {
+    std::size_t end = std::min(kLongestName, name.size());
+    while (end < name.size() && end > 0 && (name[end] & 0xc0) == 0x80) --end;
+    return name.substr(0, end);
+}
+
+// The types with their numbers; a line of each says `rest`.
+void print_types_of(const Level& level, std::string_view head,
+                    const std::function<std::string(std::size_t)>& rest) {
+    const std::vector<genetic::Type>& types = level.library.types();
     std::size_t width = 8;
-    for (const genetic::Type& type : library.types())
-        width = std::max(width, type.name.size());
-    return width;
+    for (const genetic::Type& type : types)
+        width = std::max(width, std::min(kLongestName, type.name.size()));
+    fmt::print("{:g} m\n{:{}}  {}\n", level.spacing, "", width + 6, head);
+    for (std::size_t t = 0; t < types.size(); ++t)
+        fmt::print("  {:2}  {:{}}  {}\n", t + 1, shortened(types[t].name), width,
+                   rest(t));
 }
 
-// A number under each quantity's name.
-void print_row(const Library& library, std::size_t type,
-               const std::function<double(Quantity)>& value) {
-    fmt::print("  {:{}}", library.types()[type].name, width_of(library));
-    for (int q = 0; q < genetic::kQuantities; ++q)
-        fmt::print("  {:>{}.2f}", value(Quantity(q)),
-                   genetic::kQuantityNames[std::size_t(q)].size());
-}
-
-void print_head(const Level& level, std::string_view last) {
-    fmt::print("{:g} m\n  {:{}}", level.spacing, "", width_of(level.library));
-    for (const std::string_view name : genetic::kQuantityNames)
-        fmt::print("  {:>{}}", name, name.size());
-    fmt::print("  {}\n", last);
+// A row a quantity, a column a type, by their numbers; the next types below.
+void print_quantities(const Library& library,
+                      const std::function<double(std::size_t, Quantity)>& value) {
+    const std::size_t count = library.types().size();
+    for (std::size_t first = 0; first < count; first += kColumns) {
+        const std::size_t last = std::min(count, first + kColumns);
+        fmt::print("  {:15}", "");
+        for (std::size_t t = first; t < last; ++t) fmt::print("  {:>4}", t + 1);
+        fmt::print("\n");
+        for (int q = 0; q < genetic::kQuantities; ++q) {
+            fmt::print("  {:15}", genetic::kQuantityNames[std::size_t(q)]);
+            for (std::size_t t = first; t < last; ++t)
+                fmt::print("  {:>4.2f}", value(t, Quantity(q)));
+            fmt::print("\n");
+        }
+    }
 }
 
 // Where its plots and analyses go.
@@ -227,8 +156,40 @@ std::vector<std::pair<Level, Analysis>> analysed(const LibraryRequest& request,
         throw bad_request(
             "{}: at none of the library's levels is it fine and large enough ({} samples "
             "a side)",
-            request.land.string(), kFewest);
+            request.land.string(), kFewestSamples);
     return all;
+}
+
+// The coarsest level at which the land has many windows; else its finest.
+double segmented_level(const std::vector<std::pair<Level, Analysis>>& levels,
+                       std::size_t enough = 256 * 256) {
+    for (const auto& [level, land] : levels)
+        if (land[std::size_t(Quantity::kElevation)].count >= enough) return level.spacing;
+    return levels.back().first.spacing;
+}
+
+// What types the land is made of, on a map.
+void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions& options,
+                    double spacing, Analyst& analyst, Console& console) {
+    std::vector<genetic::Type> types;
+    for (const auto& type : options.types) {
+        types.push_back({type.name, {}});
+        for (const genetic::Example& example : type.examples)
+            if (analyst(example, spacing))
+                std::ranges::copy(analyst.windows(example, spacing),
+                                  std::back_inserter(types.back().examples));
+    }
+    const Library library(std::move(types));
+    auto land = analyst.studied({open_source(request.land)}, spacing);
+    console.finish();
+    if (!land) return;
+    const TypeMap map = type_map(library, std::move(*land));
+    const fs::path file =
+        folder_of(request) / (request.land.stem().string() + "-types.png");
+    write_type_picture(file, map);
+    if (print_types(library, map, request.land))
+        console.warn(fmt::format("{} is of several types; the map is {}",
+                                 request.land.string(), file.string()));
 }
 
 }  // namespace
@@ -240,11 +201,9 @@ void analyse_library(const LibraryRequest& request, Console& console) {
         for (const Level& level : levels) {
             const Library& library = level.library;
             plot(request, level, "library");
-            print_head(level, "examples  own    other");
-            for (std::size_t t = 0; t < library.types().size(); ++t) {
-                const genetic::Type& type = library.types()[t];
+            print_types_of(level, "examples   own  other", [&](std::size_t t) {
                 double own = 1.0, other = 0.0;
-                for (const Analysis& example : type.examples)
+                for (const Analysis& example : library.types()[t].examples)
                     for (std::size_t u = 0; u < library.types().size(); ++u) {
                         const double like = library.similarity(u, example);
                         if (u == t)
@@ -252,16 +211,16 @@ void analyse_library(const LibraryRequest& request, Console& console) {
                         else
                             other = std::max(other, like);
                     }
-                print_row(library, t,
-                          [&](Quantity q) { return library.agreement(t, q); });
-                fmt::print("  {:>8}  {:.2f}  {:>5.2f}\n", type.examples.size(), own,
-                           other);
-            }
+                return fmt::format("{:>8}  {:.2f}  {:>5.2f}",
+                                   library.types()[t].examples.size(), own, other);
+            });
+            print_quantities(library, [&](std::size_t t, Quantity q) {
+                return library.agreement(t, q);
+            });
         }
         fmt::print(
-            "Of each quantity how far a type's examples agree; how like their own type "
-            "they "
-            "are at least, and how like another at most. All from 0 to 1.\n");
+            "How like their own type its examples are at least, and how like another at\n"
+            "most; of each quantity how far they agree. All from 0 to 1.\n");
     });
 }
 
@@ -273,13 +232,12 @@ void compare_with_library(const LibraryRequest& request, Console& console) {
         for (const auto& [level, land] : levels) {
             const Library& library = level.library;
             plot(request, level, "compared", &land);
-            print_head(level, "all");
-            for (std::size_t t = 0; t < library.types().size(); ++t) {
-                print_row(library, t, [&](Quantity q) {
-                    return library.likeness(t, q, land).similarity;
-                });
-                fmt::print("  {:.2f}\n", library.similarity(t, land));
-            }
+            print_types_of(level, " all", [&](std::size_t t) {
+                return fmt::format("{:.2f}", library.similarity(t, land));
+            });
+            print_quantities(library, [&](std::size_t t, Quantity q) {
+                return library.likeness(t, q, land).similarity;
+            });
         }
     });
 }
@@ -300,11 +258,12 @@ void classify_by_library(const LibraryRequest& request, Console& console) {
                        library.similarity(best, land));
             const Library more = library.with(best, land);
             for (int q = 0; q < genetic::kQuantities; ++q)
-                fmt::print("  {:13}  agreement {:.2f}, with it {:.2f}\n",
+                fmt::print("  {:15}  agreement {:.2f}, with it {:.2f}\n",
                            genetic::kQuantityNames[std::size_t(q)],
                            library.agreement(best, Quantity(q)),
                            more.agreement(best, Quantity(q)));
         }
+        cut_into_types(request, options, segmented_level(levels), analyst, console);
     });
 }
 

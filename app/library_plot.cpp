@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/library_colours.h"
 #include "field/markup.h"
 
 namespace cydonia {
@@ -15,11 +16,28 @@ using genetic::Statistics;
 
 constexpr double kWidth = 860.0, kLeft = 190.0, kRight = 30.0;  // pixels
 constexpr double kRow = 22.0, kHead = 34.0, kFoot = 26.0;
-// Told apart by everybody (Okabe and Ito 2008).
-constexpr std::array<const char*, 7> kColours = {
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444"};
-constexpr std::array<const char*, genetic::kQuantities> kUnits = {"m", "degrees", "m",
-                                                                  "m", "response"};
+constexpr std::array<const char*, genetic::kQuantities> kUnits = {
+    "m",
+    "degrees",
+    "asinh of 100 times the change of slope a sample",
+    "m in a window",
+    "0 to 1",
+    "octaves a band",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "m",
+    "response",
+    "% of samples",
+    "m",
+    "response",
+    "% of samples"};
 
 struct Row {
     std::string name;
@@ -93,8 +111,8 @@ std::string library_plot(const genetic::Library& library, double level,
     for (int q = 0; q < genetic::kQuantities; ++q) {
         std::vector<Row> rows;
         for (std::size_t t = 0; t < library.types().size(); ++t) {
-            Row& row = rows.emplace_back(
-                Row{library.types()[t].name, kColours[t % kColours.size()], {}});
+            Row& row =
+                rows.emplace_back(Row{library.types()[t].name, type_colour(t).hex, {}});
             for (const Analysis& example : library.types()[t].examples)
                 row.examples.push_back(example[std::size_t(q)]);
         }

@@ -13,6 +13,12 @@ std::array<double, 4> values_of(const Statistics& s) {
     return {s.mean, s.deviation, s.skewness, s.kurtosis};
 }
 
+// Edges, ridges, valleys and peaks tell of one thing, where land bends and how often: of
+// the same weight together as each other quantity, or they would drown it.
+double weight_of(int quantity) {
+    return quantity < int(Quantity::kEdgeScale) ? 1.0 : 0.25;
+}
+
 double sum_of(const std::array<double, 4>& values) {
     return values[0] + values[1] + values[2] + values[3];
 }
@@ -98,13 +104,15 @@ Likeness Library::likeness(std::size_t type, Quantity quantity,
 }
 
 double Library::similarity(std::size_t type, const Analysis& land) const {
-    double similarity = 0.0, weights = 0.0, plain = 0.0;
+    double similarity = 0.0, weights = 0.0, plain = 0.0, all = 0.0;
     for (int q = 0; q < kQuantities; ++q) {
         const Likeness one = likeness(type, Quantity(q), land);
-        similarity += one.agreement * one.similarity, weights += one.agreement;
-        plain += one.similarity / kQuantities;
+        const double weight = weight_of(q);
+        similarity += weight * one.agreement * one.similarity;
+        weights += weight * one.agreement;
+        plain += weight * one.similarity, all += weight;
     }
-    return weights > 0.0 ? similarity / weights : plain;
+    return weights > 0.0 ? similarity / weights : plain / all;
 }
 
 Library Library::with(std::size_t type, const Analysis& land) const {

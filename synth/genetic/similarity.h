@@ -37,7 +37,7 @@ class Library {
     const std::vector<Type>& types() const { return types_; }
     // Of one quantity (eq. IV.7 to IV.10).
     Likeness likeness(std::size_t type, Quantity quantity, const Analysis& land) const;
-    // Of all of them (eq. IV.11 and IV.12).
+    // Of all of them (eq. IV.11 and IV.12), those of features together as one weighs.
     double similarity(std::size_t type, const Analysis& land) const;
     // Distribution agreement (eq. IV.10) of a type's examples.
     double agreement(std::size_t type, Quantity quantity) const;

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <sstream>
 
 #include "field/dem.h"
 #include "field/files.h"
@@ -95,6 +97,115 @@ TEST_F(Libraries, ClassifyLand) {
     }
     EXPECT_EQ(compared.code, 0);
     EXPECT_NE(compared.out.find("edge strength"), std::string::npos) << compared.out;
+}
+
+// Section VII.5: land of two types is cut into them, and what of it is pure is told.
+TEST_F(Libraries, ClassifyMixedLand) {
+    Terrain both = read_dem(open_source(folder / "high-0.tif"));
+    const auto made = [&](double height, std::uint64_t seed) {
+        NoiseOptions noise;
+        noise.octaves = 6;
+        noise.h = 1.0;
+        return noise_field(noise, 320, 200, height, seed);
+    };
+    both.heights = made(500.0, 41);
+    const Field<float> low = made(60.0, 42);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 160; x < 320; ++x) both.heights(x, y) = low(x, y);
+    write_geotiff(folder / "both.tif", both);
+    const Outcome mixed = ask({"classify", "land.toml", "both.tif"});
+    ASSERT_EQ(mixed.code, 0) << mixed.err;
+    EXPECT_NE(mixed.err.find("both.tif is of several types"), std::string::npos)
+        << mixed.err;
+    const Field<Rgba8> map = read_rgba(open_source(folder / "out/land/both-types.png"));
+    EXPECT_EQ(map.width(), 320);
+    // The first type is blue, the second vermilion.
+    int right = 0;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 320; ++x) right += (map(x, y)[2] > map(x, y)[0]) == (x < 160);
+    EXPECT_GT(right, 0.9 * 320 * 200);
+    // Both windows make a library whose types agree.
+    const std::size_t begin = mixed.out.find("    # <high>\n"),
+                      next = mixed.out.find("    # low\n");
+    ASSERT_NE(begin, std::string::npos) << mixed.out;
+    ASSERT_NE(next, std::string::npos) << mixed.out;
+    const auto line = [&](std::size_t at) {
+        const std::size_t from = mixed.out.find('\n', at) + 1;
+        return mixed.out.substr(from, mixed.out.find('\n', from) - from);
+    };
+    folder.write("pure.toml",
+                 "levels = [30.0]\n[[type]]\nname = \"high\"\nexample = [\n" +
+                     line(begin) + "\n]\n[[type]]\nname = \"low\"\nexample = [\n" +
+                     line(next) + "\n]\n");
+    const Outcome pure = ask({"classify", "pure.toml", "high-0.tif"});
+    EXPECT_EQ(pure.code, 0) << pure.err;
+    EXPECT_NE(pure.out.find("30 m: high ("), std::string::npos) << pure.out;
+    EXPECT_NE(pure.err.find("'high' has one example"), std::string::npos) << pure.err;
+    // Land of one type is not called mixed.
+    write("new", 480.0, 33);
+    const Outcome one = ask({"classify", "land.toml", "new.tif"});
+    EXPECT_EQ(one.err.find("several types"), std::string::npos) << one.err;
+    EXPECT_NE(one.out.find("types at 30 m"), std::string::npos) << one.out;
+}
+
+// What is no land says nothing of it, and that is told, the second time too.
+TEST_F(Libraries, LeaveOutWaterAndVoids) {
+    const Terrain whole = read_dem(open_source(folder / "high-1.tif"));
+    Terrain lake = whole, holes = whole, sea = whole;
+    for (int y = 0; y < 112; ++y)
+        for (int x = 0; x < 128; ++x) {
+            if (x < 32) lake.heights(x, y) = 1.0f;
+            if (x < 4) holes.heights(x, y) = std::nanf("");
+            if (x < 110) sea.heights(x, y) = 0.0f;
+        }
+    write_geotiff(folder / "lake.tif", lake);
+    write_geotiff(folder / "holes.tif", holes);
+    write_geotiff(folder / "sea.tif", sea);
+    folder.write(
+        "land.toml",
+        "levels = [30.0]\n[[type]]\nname = \"high\"\nexamples = [\"high-*.tif\", "
+        "\"lake.tif\", \"holes.tif\"]\n[[type]]\nname = \"low\"\n"
+        "examples = \"low-*.tif\"\n[[type]]\nname = \"wet\"\nexamples = "
+        "\"sea.tif\"\n[[type]]\nname = \"bare\"\n");
+    for (int time = 0; time < 2; ++time) {
+        const Outcome outcome = ask({"analyse", "land.toml"});
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        for (const char* said :
+             {"lake.tif: left out 25.0% under water",
+              "holes.tif: left out 26.6% that is at most 30 samples from a void",
+              "sea.tif: of it 85.9% under water, so that too little land is left",
+              "'wet' has no example", "'bare' has no examples: nothing is like it"})
+            EXPECT_NE(outcome.err.find(said), std::string::npos) << said << outcome.err;
+        // Their other three quarters are what the whole is.
+        EXPECT_NE(outcome.out.find("high             5  0.9"), std::string::npos)
+            << outcome.out;
+    }
+    const Outcome classified = ask({"classify", "land.toml", "lake.tif"});
+    ASSERT_EQ(classified.code, 0) << classified.err;
+    const Field<Rgba8> map = read_rgba(open_source(folder / "out/land/lake-types.png"));
+    EXPECT_EQ(map(10, 50), (Rgba8{24, 44, 84, 255}));
+    EXPECT_NE(map(40, 50), (Rgba8{24, 44, 84, 255}));
+    EXPECT_NE(classified.out.find("100.0%"), std::string::npos) << classified.out;
+    const Outcome none = ask({"classify", "land.toml", "sea.tif"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("too little land is left"), std::string::npos) << none.err;
+}
+
+// Any number of types of any name.
+TEST_F(Libraries, PrintNarrowTables) {
+    std::string library = "levels = [30.0]\n";
+    for (int t = 0; t < 12; ++t)
+        library += "[[type]]\nname = \"a very long name of a type of land that goes on " +
+                   std::to_string(t) + "\"\nexamples = \"" + (t % 2 ? "high-" : "low-") +
+                   std::to_string(t % 3) + ".tif\"\n";
+    folder.write("land.toml", library);
+    for (const Outcome& outcome :
+         {ask({"analyse", "land.toml"}), ask({"compare", "land.toml", "high-0.tif"})}) {
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        std::istringstream lines(outcome.out);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(line.size(), 80u) << line;
+    }
 }
 
 // Saunders 2006, figure V.5.

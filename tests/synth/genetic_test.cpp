@@ -52,8 +52,8 @@ Field<float> step(double deviation, double height, double angle = 0.0) {
     return land;
 }
 
-const Edge& longest(const std::vector<Edge>& edges) {
-    return *std::ranges::max_element(edges, {}, &Edge::length);
+const Feature& longest(const std::vector<Feature>& edges) {
+    return *std::ranges::max_element(edges, {}, &Feature::length);
 }
 
 // Lindeberg 1998, section 4: t^(1/2) |grad L|^2 of a diffuse step is largest at its own
@@ -64,7 +64,7 @@ TEST(Edges, AreFoundAtTheirOwnScale) {
         for (const double angle : {0.0, 0.6, 0.25 * M_PI}) {
             const auto edges = edges_of(step(deviation, 900.0, angle), kSpacing);
             ASSERT_FALSE(edges.empty());
-            const Edge& edge = longest(edges);
+            const Feature& edge = longest(edges);
             EXPECT_NEAR(edge.scale / kSpacing, deviation, 0.15 * deviation) << angle;
             EXPECT_GT(edge.length, 0.75 * 160 * kSpacing) << angle;
             EXPECT_LT(edge.length, 1.5 * 160 * kSpacing) << angle;
@@ -72,8 +72,8 @@ TEST(Edges, AreFoundAtTheirOwnScale) {
 }
 
 TEST(Edges, AreAsStrongAsTheyAreHigh) {
-    const Edge low = longest(edges_of(step(3.0, 200.0), 30.0)),
-               high = longest(edges_of(step(3.0, 600.0), 30.0));
+    const Feature low = longest(edges_of(step(3.0, 200.0), 30.0)),
+                  high = longest(edges_of(step(3.0, 600.0), 30.0));
     EXPECT_NEAR(high.strength / low.strength, 3.0, 0.01);
     EXPECT_NEAR(high.scale, low.scale, 0.01);
     EXPECT_TRUE(edges_of(Field<float>(64, 64, 5.0f), 30.0).empty());
