@@ -1,6 +1,8 @@
 #include "field/svg_paths.h"
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 
 #include "field/error.h"
 #include "field/svg.h"
@@ -21,6 +23,41 @@ bool displayed(const xmlNode& element) {
            style.find("display:none") == std::string::npos;
 }
 
+using Fill = std::optional<std::array<std::uint8_t, 3>>;
+
+// "#rrggbb", "#rgb" or "rgb(r, g, b)"; none of anything else.
+Fill fill_of(std::string_view text) {
+    const auto hex = [](std::string_view digits) {
+        int value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+        return error == std::errc() && end == digits.data() + digits.size() ? value : -1;
+    };
+    std::array<int, 3> rgb{-1, -1, -1};
+    if (text.size() == 7 && text[0] == '#') {
+        for (std::size_t i = 0; i < 3; ++i) rgb[i] = hex(text.substr(1 + 2 * i, 2));
+    } else if (text.size() == 4 && text[0] == '#') {
+        for (std::size_t i = 0; i < 3; ++i) rgb[i] = 17 * hex(text.substr(1 + i, 1));
+    } else if (text.starts_with("rgb(") && text.ends_with(")")) {
+        std::istringstream numbers{std::string(text.substr(4, text.size() - 5))};
+        char comma = ',';
+        numbers >> rgb[0] >> comma >> rgb[1] >> comma >> rgb[2];
+        if (!numbers) return {};
+    }
+    if (std::ranges::min(rgb) < 0 || std::ranges::max(rgb) > 255) return {};
+    return std::array{std::uint8_t(rgb[0]), std::uint8_t(rgb[1]), std::uint8_t(rgb[2])};
+}
+
+// An element's own, which its style says before its attribute does.
+Fill filled(const xmlNode& element, const Fill& around) {
+    std::string style = ";" + attribute(element, "style");
+    std::erase(style, ' ');
+    std::string text = attribute(element, "fill");
+    if (const auto at = style.find(";fill:"); at != style.npos)
+        text = style.substr(at + 6, style.find(';', at + 1) - at - 6);
+    return text.empty() || text == "inherit" ? around : fill_of(text);
+}
+
 // Walks the drawing and flattens what it comes to.
 class Walk {
   public:
@@ -28,7 +65,7 @@ class Walk {
         : page_(page), tolerance_(tolerance) {}
 
     void enter(const xmlNode& element, Affine to_page, std::string id,
-               std::vector<std::string> names);
+               std::vector<std::string> names, Fill fill);
     std::vector<SvgPath> paths() && { return std::move(paths_); }
 
   private:
@@ -43,12 +80,12 @@ class Walk {
     std::vector<SvgOutline> rectangle(const xmlNode& element) const;
     std::vector<SvgOutline> ellipse(const xmlNode& element) const;
     void add(const SvgOutline& outline, const Affine& to_page, const std::string& id,
-             const std::vector<std::string>& names);
+             const std::vector<std::string>& names, const Fill& fill);
 
     std::array<double, 2> page_;  // pixels, or units of its viewBox
     double tolerance_;
     std::vector<SvgPath> paths_;
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, shape_ = 0;
 };
 
 double Walk::length(const xmlNode& element, const char* name, double whole) const {
@@ -115,7 +152,7 @@ std::vector<SvgOutline> Walk::outlines(const xmlNode& element) const {
 }
 
 void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::string& id,
-               const std::vector<std::string>& names) {
+               const std::vector<std::string>& names, const Fill& fill) {
     std::vector<Point2> points{to_page(outline.start)};
     for (const auto& curve : outline.curves) {
         const Point2 from = points.back();
@@ -129,12 +166,14 @@ void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::stri
         if (!(std::abs(p[0]) < kFarthest && std::abs(p[1]) < kFarthest))
             throw bad_request("a path lies a million pages away");
     count_ += points.size();
-    if (points.size() > 1) paths_.push_back({id, names, std::move(points)});
+    if (points.size() > 1) paths_.push_back({id, names, std::move(points), fill, shape_});
 }
 
 void Walk::enter(const xmlNode& element, Affine to_page, std::string id,
-                 std::vector<std::string> names) {
+                 std::vector<std::string> names, Fill fill) {
     if (!displayed(element)) return;
+    fill = filled(element, fill);
+    ++shape_;
     const std::string own = attribute(element, "id"), label = label_of(element);
     if (!own.empty()) id = own;
     for (const std::string& name : {label, own})
@@ -144,7 +183,7 @@ void Walk::enter(const xmlNode& element, Affine to_page, std::string id,
         if (!transform) throw bad_request("its transform cannot be read");
         to_page = to_page * *transform;
         for (const SvgOutline& outline : outlines(element))
-            add(outline, to_page, id, names);
+            add(outline, to_page, id, names, fill);
     } catch (const Error& error) {
         throw bad_request("line {}{}: {}", element.line, id.empty() ? "" : ", " + id,
                           error.what());
@@ -153,7 +192,7 @@ void Walk::enter(const xmlNode& element, Affine to_page, std::string id,
     if (name != "svg" && name != "g" && name != "a") return;
     // libxml2 refuses what is more than 256 deep.
     for (const xmlNode* child = element.children; child; child = child->next)
-        if (child->type == XML_ELEMENT_NODE) enter(*child, to_page, id, names);
+        if (child->type == XML_ELEMENT_NODE) enter(*child, to_page, id, names, fill);
 }
 
 }  // namespace
@@ -175,7 +214,7 @@ std::vector<SvgPath> svg_paths(const Source& source, double tolerance) {
     const Affine shares{1.0 / page[0], 0.0, 0.0, 1.0 / page[1], 0.0, 0.0};
     Walk walk(page, tolerance);
     try {
-        walk.enter(root, fitted ? shares * *fitted : shares, {}, {});
+        walk.enter(root, fitted ? shares * *fitted : shares, {}, {}, {});
     } catch (const Error& error) {
         throw bad_request("{}: {}", name, error.what());
     }

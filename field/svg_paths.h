@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +21,9 @@ struct SvgPath {
     // At least two, each unlike the one before: shares of the page's width from its left
     // edge and of its height from its top.
     std::vector<Point2> points;
+    // What it is filled with, its own or a group's around it, where that is one colour.
+    std::optional<std::array<std::uint8_t, 3>> fill = {};
+    std::size_t shape = 0;  // outlines of one element have the same number
 };
 
 // The paths and shapes of an SVG drawing in its order, with the transforms of their

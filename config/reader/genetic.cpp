@@ -50,7 +50,7 @@ void read_library(Table& t, Options& o) {
 void read_map(Table& t, Options& o) {
     std::optional<Source> file;
     t.field("map", file, File{});
-    if (file && !t.describes()) load(t, "map", [&] { o.map = load_map(file->path); });
+    if (file && !t.describes()) load(t, "map", [&] { o.map = load_map(file->path, o.library); });
     std::vector<Region> drawn;
     t.tables("region", drawn, kMostRegions);
     t.field("automatic", o.map.automatic, Whole{0, 1000});

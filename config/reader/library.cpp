@@ -16,19 +16,24 @@ namespace cydonia::config {
 
 using genetic::Example;
 using genetic::LibraryOptions;
+using genetic::Seam;
+using genetic::Transition;
 using genetic::TypeOptions;
 
 namespace {
 
 constexpr std::size_t kMostBytes = 1u << 20;
 constexpr std::size_t kMostTypes = 64, kMostExamples = 256, kMostLevels = 16;
-constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kLongestName = 64, kMostSeams = 1024;
 
 }  // namespace
 
 void read(Table& t, Example& example) {
     t.required("source", example.source, ElevationModel{});
     t.field("window", example.window, Number{from(0.0, 1.0)});
+    t.field("scale", example.scale, Number{above_to(0.0, 1000.0)});
+    t.field("vertical_scale", example.vertical_scale, Number{above_to(0.0, 1000.0)});
+    t.field("raise", example.raise, Number{from(-1e5, 1e5)});
     t.check(
         example.window[0] < example.window[2] && example.window[1] < example.window[3],
         {"window"}, "is west, south, east and north, each a share: [0.0, 0.5, 0.5, 1.0]");
@@ -36,6 +41,7 @@ void read(Table& t, Example& example) {
 
 void read(Table& t, TypeOptions& type) {
     t.required("name", type.name, Text{kLongestName});
+    t.field("colour", type.colour, Colour{});
     std::vector<std::vector<Source>> found;
     t.field("examples", found, OneOrMore{ElevationModels{}});
     for (const auto& sources : found)
@@ -48,15 +54,69 @@ void read(Table& t, TypeOptions& type) {
                         kMostExamples));
 }
 
+namespace {
+
+// Two different types, in any order.
+void read_between(Table& t, std::string& a, std::string& b,
+                  const std::vector<std::string>& names) {
+    std::vector<std::string> between;
+    t.required("between", between, Text{kLongestName});
+    t.check(between.size() == 2 && between[0] != between[1], {"between"},
+            "names two types: [\"plain\", \"mountains\"]");
+    for (const std::string& name : between)
+        t.check(std::ranges::find(names, name) != names.end(), {"between"},
+                fmt::format("no type '{}'{}", name, suggestion(name, names)));
+    if (between.size() == 2) a = between[0], b = between[1];
+}
+
+}  // namespace
+
+void read(Table& t, Seam& seam, const std::vector<std::string>& names) {
+    read_between(t, seam.a, seam.b, names);
+    t.required("smoothness", seam.smoothness, Number{from(0.0, 1.0)});
+}
+
+void read(Table& t, Transition& transition, const std::vector<std::string>& names) {
+    read_between(t, transition.a, transition.b, names);
+    t.required("type", transition.type, Text{kLongestName});
+    t.check(std::ranges::find(names, transition.type) != names.end(), {"type"},
+            fmt::format("no type '{}'{}", transition.type,
+                        suggestion(transition.type, names)));
+    t.field("width", transition.width, Number{above_to(0.0, 1e7)});
+}
+
 void read(Table& t, LibraryOptions& library) {
     t.tables("type", library.types, kMostTypes);
     t.check(!library.types.empty(), {"type"}, "the library has no types; add [[type]]");
     t.unique("type", "name");
+    colour_types(library);
+    std::vector<std::string> names;
+    for (const TypeOptions& type : library.types) names.push_back(type.name);
+    t.tables("seam", library.seams, kMostSeams, names);
+    t.tables("transition", library.transitions, kMostSeams, names);
     t.field("levels", library.levels, Number{from(0.01, 1e6)});
     t.check(!library.levels.empty() && library.levels.size() <= kMostLevels, {"levels"},
             fmt::format("needs 1 to {} levels", kMostLevels));
     t.check(std::ranges::is_sorted(library.levels, std::greater<>{}), {"levels"},
             "are metres from sample to sample, coarse to fine");
+}
+
+void colour_types(LibraryOptions& library) {
+    constexpr std::array<std::array<std::uint8_t, 3>, 12> kColours = {{{166, 124, 82},
+                                                                       {120, 156, 84},
+                                                                       {214, 196, 128},
+                                                                       {130, 130, 140},
+                                                                       {84, 140, 160},
+                                                                       {190, 90, 70},
+                                                                       {150, 180, 200},
+                                                                       {110, 90, 130},
+                                                                       {60, 110, 70},
+                                                                       {230, 150, 90},
+                                                                       {100, 70, 50},
+                                                                       {200, 120, 160}}};
+    for (std::size_t i = 0; i < library.types.size(); ++i)
+        if (library.types[i].colour == std::array<std::uint8_t, 3>{})
+            library.types[i].colour = kColours[i % kColours.size()];
 }
 
 LibraryOptions load_library(const std::filesystem::path& file) {

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <sstream>
 
+#include "config/reader/library.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -15,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1u << 20, kMostTypes = 64, kMostExamples = 256;
-constexpr std::string_view kType = "Terrain Type:";
+constexpr std::size_t kMostSeams = 1024;
+constexpr std::string_view kType = "Terrain Type:", kSeam = "Terrain Seam:";
 
 std::string trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
@@ -52,6 +58,7 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
     library.name = file.stem().string();
     std::istringstream lines(read_text(file, kMostBytes));
     genetic::TypeOptions* type = nullptr;
+    genetic::Seam* seam = nullptr;
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
@@ -63,7 +70,18 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
         if (text.front() == '[') {
             if (text.back() != ']') throw wrong("a section ends with ]");
             const std::string section = trimmed(text.substr(1, text.size() - 2));
-            type = nullptr;
+            type = nullptr, seam = nullptr;
+            if (section.starts_with(kSeam)) {
+                const std::string pair = section.substr(kSeam.size());
+                const std::size_t both = pair.find('&');
+                if (both == pair.npos) throw wrong("a terrain seam is [Terrain Seam: A & B]");
+                if (library.seams.size() == kMostSeams)
+                    throw wrong(fmt::format("more than {} seams", kMostSeams));
+                seam = &library.seams.emplace_back();
+                seam->a = trimmed(pair.substr(0, both));
+                seam->b = trimmed(pair.substr(both + 1));
+                continue;
+            }
             if (!section.starts_with(kType)) continue;
             const std::string name = trimmed(section.substr(kType.size()));
             if (name.empty() || name.size() > 64)
@@ -79,8 +97,22 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
         }
         const std::size_t equals = text.find('=');
         if (equals == text.npos) throw wrong("expected 'key = value'");
-        if (!type || trimmed(text.substr(0, equals)) != "sample") continue;
-        const std::string value = trimmed(text.substr(equals + 1));
+        const std::string name_of_value = trimmed(text.substr(0, equals)),
+                          value = trimmed(text.substr(equals + 1));
+        if (seam && name_of_value == "smoothness") {
+            seam->smoothness = std::atof(value.c_str());
+            if (!(seam->smoothness >= 0.0 && seam->smoothness <= 1.0))
+                throw wrong("smoothness goes from 0 to 1");
+        }
+        if (type && name_of_value == "color") {
+            std::array<double, 3> rgb{-1.0, -1.0, -1.0};
+            if (std::sscanf(value.c_str(), "<%lf ,%lf ,%lf", &rgb[0], &rgb[1], &rgb[2]) != 3 ||
+                !(std::ranges::min(rgb) >= 0.0 && std::ranges::max(rgb) <= 1.0))
+                throw wrong("a color is <red, green, blue, alpha>, each 0 to 1");
+            for (std::size_t i = 0; i < 3; ++i)
+                type->colour[i] = std::uint8_t(std::lround(255.0 * rgb[i]));
+        }
+        if (!type || name_of_value != "sample") continue;
         if (value.size() < 2 || value.front() != '"' || value.back() != '"')
             throw wrong("a sample is a name in quotes");
         const std::string name = value.substr(1, value.size() - 2);
@@ -95,6 +127,7 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
     }
     if (library.types.empty())
         throw bad_request("{}: no [Terrain Type: NAME] in it", file.string());
+    colour_types(library);
     return library;
 }
 

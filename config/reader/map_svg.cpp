@@ -1,0 +1,85 @@
+// Shapes of a drawing, each of the type that it is called as or has the colour of.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/reader/map_formats.h"
+#include "config/reader/units.h"
+#include "field/error.h"
+#include "field/source.h"
+#include "field/svg_paths.h"
+
+namespace cydonia::config {
+namespace {
+
+constexpr double kTolerance = 0.0005;  // of the page
+constexpr int kNear = 48;              // a channel, as paintings allow
+
+int unlikeness(const Colour::Rgb& a, const Colour::Rgb& b) {
+    int most = 0;
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+}
+
+std::string spaced(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+// Empty where no type is meant.
+std::string type_of(const SvgPath& path, const genetic::LibraryOptions& library) {
+    for (const std::string& name : path.names)
+        for (const auto& type : library.types)
+            if (spaced(type.name) == spaced(name)) return type.name;
+    if (!path.fill) return {};
+    const auto nearest = std::ranges::min_element(
+        library.types, {},
+        [&](const auto& type) { return unlikeness(type.colour, *path.fill); });
+    if (nearest == library.types.end() || unlikeness(nearest->colour, *path.fill) > kNear)
+        return {};
+    return nearest->name;
+}
+
+}  // namespace
+
+genetic::MapOptions map_from_svg(const std::filesystem::path& file,
+                                 const genetic::LibraryOptions& library) {
+    genetic::MapOptions map;
+    map.window = {0.0, 0.0, 1.0, 1.0};
+    std::size_t corners = 0, shape = 0;
+    for (const SvgPath& path : svg_paths(open_source(file), kTolerance)) {
+        if (path.points.size() < 4 || path.points.front() != path.points.back()) {
+            shape = path.shape;
+            continue;  // a line, a label's stroke
+        }
+        const std::string type = type_of(path, library);
+        if (type.empty()) {
+            if (!path.fill) continue;
+            const auto& c = *path.fill;
+            throw bad_request(
+                "{}: {}the colour #{:02x}{:02x}{:02x} is no type's; give the type that "
+                "colour in the library, or call the shape as its type",
+                file.string(), path.id.empty() ? "" : path.id + ": ", c[0], c[1], c[2]);
+        }
+        corners += path.points.size();
+        if (corners > kMostMapCorners)
+            throw bad_request("{}: more than {} corners", file.string(), kMostMapCorners);
+        genetic::Outline outline;
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+            outline.push_back({path.points[i][0], 1.0 - path.points[i][1]});
+        // Further outlines of one shape are its holes or islands.
+        if (!map.regions.empty() && path.shape == shape) {
+            map.regions.back().outlines.push_back(std::move(outline));
+        } else {
+            if (map.regions.size() == kMostMapRegions)
+                throw bad_request("{}: more than {} regions", file.string(),
+                                  kMostMapRegions);
+            map.regions.push_back({name_of_region(map, type), type, {std::move(outline)}});
+        }
+        shape = path.shape;
+    }
+    return map;
+}
+
+}  // namespace cydonia::config
