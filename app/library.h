@@ -20,7 +20,8 @@ struct LibraryRequest {
 void analyse_library(const LibraryRequest& request, Console& console);
 // How like each type a land is, quantity by quantity.
 void compare_with_library(const LibraryRequest& request, Console& console);
-// Which type it fits best, and what adding it to that would do to the agreement.
+// Which type it fits best, and what adding it to that would do to the agreement; which
+// types it is made of, on a map in the output folder.
 void classify_by_library(const LibraryRequest& request, Console& console);
 
 }  // namespace cydonia

@@ -151,11 +151,10 @@ void Analyst::say_left_out(const Example& example, double voids, double water,
                            bool too_much) {
     if (!(voids > 0.0 || water > 0.0)) return;
     const auto& w = example.window;
-    if (!said_
-             .insert(fmt::format("{} {} {} {} {} {}", example.source.path.string(), w[0],
-                                 w[1], w[2], w[3], too_much))
-             .second)
-        return;
+    std::string name = example.source.name();
+    if (w != Example{}.window)
+        name += fmt::format(" [{:g}, {:g}, {:g}, {:g}]", w[0], w[1], w[2], w[3]);
+    if (!said_.insert(fmt::format("{} {}", name, too_much)).second) return;
     std::string left_out;
     if (voids > 0.0)
         left_out = fmt::format("{:.1f}% that is at most {} samples from a void",

@@ -15,7 +15,8 @@ using genetic::Analysis;
 using genetic::Statistics;
 
 constexpr double kWidth = 860.0, kLeft = 190.0, kRight = 30.0;  // pixels
-constexpr double kRow = 22.0, kHead = 34.0, kFoot = 26.0;
+constexpr double kRow = 22.0, kHead = 34.0, kFoot = 26.0, kTop = 44.0;
+constexpr int kPanels = (genetic::kQuantities + 1) / 2;  // in each of two columns
 constexpr std::array<const char*, genetic::kQuantities> kUnits = {
     "m",
     "degrees",
@@ -107,8 +108,13 @@ std::string panel(const std::vector<Row>& rows, int quantity, double top) {
 std::string library_plot(const genetic::Library& library, double level,
                          const std::string& land_name, const Analysis* land) {
     std::string panels;
-    double top = 44.0;
+    double top = kTop, high = 0.0;
     for (int q = 0; q < genetic::kQuantities; ++q) {
+        if (q % kPanels == 0) {
+            top = kTop;
+            panels += fmt::format("{}<g transform='translate({},0)'>\n", q ? "</g>" : "",
+                                  q / kPanels * kWidth);
+        }
         std::vector<Row> rows;
         for (std::size_t t = 0; t < library.types().size(); ++t) {
             Row& row =
@@ -118,7 +124,8 @@ std::string library_plot(const genetic::Library& library, double level,
         }
         if (land) rows.push_back({land_name, "#000000", {(*land)[std::size_t(q)]}});
         panels += panel(rows, q, top);
-        top += kHead + kRow * double(rows.size()) + kFoot;
+        high = kHead + kRow * double(rows.size()) + kFoot;
+        top += high;
     }
     return fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}">
@@ -127,9 +134,9 @@ std::string library_plot(const genetic::Library& library, double level,
 .tick {{ stroke: #ddd }}</style>
 <rect width="{0}" height="{1}" fill="white"/>
 <text x="12" y="24" class="head">{2:g} m from sample to sample: mean and standard deviation of each example</text>
-{3}</svg>
+{3}</g></svg>
 )",
-        kWidth, top + 6.0, level, panels);
+        2.0 * kWidth, kTop + kPanels * high + 6.0, level, panels);
 }
 
 }  // namespace cydonia

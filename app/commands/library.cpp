@@ -50,7 +50,7 @@ void add_library(CLI::App& app, Action& action) {
          "library compare scenes/libraries/land.toml dem.tif"},
         true, compare_with_library);
     add(*command, action,
-        {"classify", "Which type a land fits best",
+        {"classify", "Which type a land fits best, and which it is made of",
          "library classify scenes/libraries/land.toml dem.tif"},
         true, classify_by_library);
 }

@@ -114,7 +114,7 @@ Measures measures_of(const Terrain& terrain) {
     const int w = terrain.heights.width(), h = terrain.heights.height();
     Measures measures;
     if (terrain.heights.empty()) return measures;
-    // In metres by the spacing all that follows knows nothing of it.
+    // By the spacing, so that differences of samples are slopes.
     Field<float> land = terrain.heights;
     for (float& height : land) height = float(height / terrain.spacing);
     const std::vector<Scale> scales = scale_space(land);

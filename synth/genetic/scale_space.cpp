@@ -85,8 +85,8 @@ std::vector<Scale> scale_space(const Field<float>& field) {
     const double coarsest =
         std::min(kCoarsest, std::min(field.width(), field.height()) / 8.0);
     for (double deviation = kFinest; deviation <= coarsest * 1.01; deviation *= kStep) {
-        // Blurs add up by their variances, so that each begins where the last ended: with
-        // narrower weights, 30 % faster than each from the field.
+        // Blurs add up by their variances, so that each may begin where the last ended:
+        // with weights that are narrower by a factor of sqrt(2).
         const double before = scales.empty() ? 0.0 : scales.back().deviation;
         const double more = std::sqrt(deviation * deviation - before * before);
         scales.push_back(

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -97,6 +98,30 @@ TEST(Segmentation, LeavesOutWhatIsNotInside) {
     EXPECT_EQ(blocks(18, 10), kNoType);
 }
 
+TEST(Segmentation, ThreadsDoNotMatter) {
+    const auto made = [] {
+        return block_types(two_lands(), window_analyses(rough(81, 300, 200)));
+    };
+    Field<int> one;
+    {
+        const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+        one = made();
+    }
+    const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+    EXPECT_EQ(one, made());
+}
+
+// Narrow, small and level land is no reason to stumble.
+TEST(Segmentation, LandOfAnySize) {
+    for (const auto& [w, h] : {std::pair{1, 1}, {2, 90}, {90, 2}, {49, 61}, {13, 13}}) {
+        const Field<int> blocks =
+            block_types(two_lands(), window_analyses(rough(1, w, h)));
+        EXPECT_EQ(sample_types(blocks, w, h).width(), w);
+        EXPECT_EQ(water_of(Field<float>(w, h)).size(), std::size_t(w * h));
+    }
+    EXPECT_EQ(block_types(Library({}), window_analyses(rough(1, 60, 60)))(2, 2), kNoType);
+}
+
 TEST(Segmentation, LargestRectangle) {
     Field<int> types(9, 7, 0);
     for (int y = 2; y < 6; ++y)
@@ -137,6 +162,19 @@ TEST(Water, PlainsInWholeMetresAreDry) {
         for (int x = 0; x < 200; ++x) plain(x, y) = std::floor(float(x) / 4.0f);
     EXPECT_EQ(water_of(plain), Field<std::uint8_t>(200, 200));
     EXPECT_EQ(water_of(rough(72).heights), Field<std::uint8_t>(240, 240));
+}
+
+TEST(Water, TouchesSamplesOfOtherGrids) {
+    Field<std::uint8_t> mask(30, 30);
+    mask(10, 5) = 1;
+    const Field<std::uint8_t> coarse = touched(mask, 3.0, 10, 10);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 10; ++x) EXPECT_EQ(coarse(x, y), x == 3 && y == 1);
+    EXPECT_EQ(touched(mask, 1.0, 30, 30), mask);
+    // Across two samples both; finer ones within it all.
+    EXPECT_TRUE(touched(mask, 2.5, 12, 12)(4, 2));
+    const Field<std::uint8_t> fine = touched(mask, 0.5, 60, 60);
+    EXPECT_TRUE(fine(20, 10) && fine(21, 11) && !fine(22, 10) && !fine(19, 10));
 }
 
 TEST(Water, MasksGrow) {

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "field/noise.h"
@@ -37,6 +38,23 @@ TEST(Statistics, OfAnExponentialDistribution) {
     EXPECT_NEAR(s.deviation, 1.0, 0.02);
     EXPECT_NEAR(s.skewness, 2.0, 0.1);
     EXPECT_NEAR(s.kurtosis, 6.0, 0.8);
+}
+
+TEST(Statistics, AddUpInParts) {
+    std::vector<float> values;
+    std::array<Moments, 3> parts;
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        values.push_back(float(900.0 + 40.0 * std::pow(unit(hash_of({i})), 3.0)));
+        parts[i % 3].add(values.back(), 908.0);
+    }
+    const Statistics whole = statistics_of(values),
+                     sum = ((parts[0] += parts[1]) += parts[2]).statistics(908.0);
+    EXPECT_EQ(sum.count, whole.count);
+    EXPECT_NEAR(sum.mean, whole.mean, 1e-9);
+    EXPECT_NEAR(sum.deviation, whole.deviation, 1e-9);
+    EXPECT_NEAR(sum.skewness, whole.skewness, 1e-9);
+    EXPECT_NEAR(sum.kurtosis, whole.kurtosis, 1e-9);
+    EXPECT_EQ(Moments().statistics(1.0).count, 0u);
 }
 
 // A step that is spread out so far, across the middle, at an angle.
