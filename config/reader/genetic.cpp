@@ -43,14 +43,16 @@ void read_library(Table& t, Options& o) {
         std::size_t number = 0;
         for (const auto& type : o.library.types)
             for (const auto& example : type.examples)
-                t.shipped(fmt::format("library sample {}", number++), example.source.path);
+                t.shipped(fmt::format("library sample {}", number++),
+                          example.source.path);
     });
 }
 
 void read_map(Table& t, Options& o) {
     std::optional<Source> file;
     t.field("map", file, File{});
-    if (file && !t.describes()) load(t, "map", [&] { o.map = load_map(file->path, o.library); });
+    if (file && !t.describes())
+        load(t, "map", [&] { o.map = load_map(file->path, o.library); });
     std::vector<Region> drawn;
     t.tables("region", drawn, kMostRegions);
     t.field("automatic", o.map.automatic, Whole{0, 1000});
@@ -72,9 +74,10 @@ void read_map(Table& t, Options& o) {
         std::vector<std::string> names;
         for (const auto& type : o.library.types) names.push_back(type.name);
         if (std::ranges::find(names, region.type) == names.end() && !names.empty())
-            t.check(false, {"map", "region"},
-                    fmt::format("region '{}': the library has no type '{}'{}", region.name,
-                                region.type, suggestion(region.type, names)));
+            t.check(
+                false, {"map", "region"},
+                fmt::format("region '{}': the library has no type '{}'{}", region.name,
+                            region.type, suggestion(region.type, names)));
     }
 }
 

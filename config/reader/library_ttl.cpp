@@ -74,7 +74,8 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
             if (section.starts_with(kSeam)) {
                 const std::string pair = section.substr(kSeam.size());
                 const std::size_t both = pair.find('&');
-                if (both == pair.npos) throw wrong("a terrain seam is [Terrain Seam: A & B]");
+                if (both == pair.npos)
+                    throw wrong("a terrain seam is [Terrain Seam: A & B]");
                 if (library.seams.size() == kMostSeams)
                     throw wrong(fmt::format("more than {} seams", kMostSeams));
                 seam = &library.seams.emplace_back();
@@ -106,7 +107,8 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
         }
         if (type && name_of_value == "color") {
             std::array<double, 3> rgb{-1.0, -1.0, -1.0};
-            if (std::sscanf(value.c_str(), "<%lf ,%lf ,%lf", &rgb[0], &rgb[1], &rgb[2]) != 3 ||
+            if (std::sscanf(value.c_str(), "<%lf ,%lf ,%lf", &rgb[0], &rgb[1], &rgb[2]) !=
+                    3 ||
                 !(std::ranges::min(rgb) >= 0.0 && std::ranges::max(rgb) <= 1.0))
                 throw wrong("a color is <red, green, blue, alpha>, each 0 to 1");
             for (std::size_t i = 0; i < 3; ++i)

@@ -39,7 +39,8 @@ genetic::MapOptions map_from_obj(const std::filesystem::path& file) {
             if (!(words >> type) || type.size() > 64)
                 throw wrong("a terrain type is 'tt NAME'");
         } else if (record == "f") {
-            if (type.empty()) throw wrong("a face needs a terrain type before it: tt NAME");
+            if (type.empty())
+                throw wrong("a face needs a terrain type before it: tt NAME");
             if (map.regions.size() == kMostMapRegions)
                 throw wrong(fmt::format("more than {} regions", kMostMapRegions));
             genetic::Outline outline;
@@ -57,7 +58,8 @@ genetic::MapOptions map_from_obj(const std::filesystem::path& file) {
                 outline.push_back(corners[static_cast<std::size_t>(at)]);
             }
             if (outline.size() < 3) throw wrong("a face has at least three corners");
-            map.regions.push_back({name_of_region(map, type), type, {std::move(outline)}});
+            map.regions.push_back(
+                {name_of_region(map, type), type, {std::move(outline)}});
         } else {
             throw wrong(fmt::format("unknown record '{}'; known: v, tt, f",
                                     record.substr(0, 40)));

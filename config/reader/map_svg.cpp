@@ -75,7 +75,8 @@ genetic::MapOptions map_from_svg(const std::filesystem::path& file,
             if (map.regions.size() == kMostMapRegions)
                 throw bad_request("{}: more than {} regions", file.string(),
                                   kMostMapRegions);
-            map.regions.push_back({name_of_region(map, type), type, {std::move(outline)}});
+            map.regions.push_back(
+                {name_of_region(map, type), type, {std::move(outline)}});
         }
         shape = path.shape;
     }

@@ -38,7 +38,8 @@ std::vector<std::vector<Point2>> voronoi(const std::vector<Point2>& sites, doubl
                                          double depth) {
     std::vector<std::vector<Point2>> cells;
     for (std::size_t i = 0; i < sites.size(); ++i) {
-        std::vector<Point2> cell = {{0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}};
+        std::vector<Point2> cell = {
+            {0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}};
         for (std::size_t j = 0; j < sites.size() && !cell.empty(); ++j)
             if (j != i) cell = nearer(cell, sites[i], sites[j]);
         cells.push_back(std::move(cell));

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "synth/genetic/edges.h"
 
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kSmooth = 1.0;  // cells
+constexpr double kLeastReach = 0.5;   // cells
+constexpr double kMostReach = 0.25;   // of a region's side
+constexpr double kLevelSlope = 1e-3;  // of land that has none
+constexpr double kLeastOwn = 0.3;     // of a chunk's relief, where it meets another type
+constexpr int kSweeps = 300;
+constexpr double kRelaxation = 1.8;
 
 struct Means {
     double height = 0.0, slope = 0.0;
@@ -30,32 +32,65 @@ Means means_of(const LevelSamples& samples, int type) {
             }
     }
     if (cells > 0.0) means.height /= cells;
-    if (slopes > 0.0) means.slope /= slopes;
+    means.slope = std::max(kLevelSlope, slopes > 0.0 ? means.slope / slopes : 0.0);
     return means;
 }
 
-// The largest field below the heights whose slopes are no more than `rise` a cell: a
-// distance transform in two sweeps (Rosenfeld and Pfaltz 1966).
-Field<float> below(Field<float> heights, double rise) {
-    const int w = heights.width(), h = heights.height();
-    const auto lower = [&](int x, int y, int dx, int dy) {
-        if (!heights.contains(x + dx, y + dy)) return;
-        const double step = rise * (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
-        heights(x, y) = std::min(heights(x, y), float(heights(x + dx, y + dy) + step));
+// How far from its boundary a region is as high as its type lies: about as far as slopes
+// between neighbours, as steep as their land, need; but each has land of its own height.
+std::vector<double> reaches_of(const Regions& regions, const std::vector<Means>& means,
+                               double spacing) {
+    std::vector<double> reaches(regions.types.size(), kLeastReach * spacing);
+    const auto meet = [&](int a, int b) {
+        if (a == b) return;
+        const Means &ma = means[std::size_t(regions.types[std::size_t(a)])],
+                    &mb = means[std::size_t(regions.types[std::size_t(b)])];
+        const double reach = std::abs(ma.height - mb.height) / (ma.slope + mb.slope);
+        for (const int r : {a, b})
+            reaches[std::size_t(r)] = std::max(reaches[std::size_t(r)], reach);
     };
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x)
-            lower(x, y, -1, 0), lower(x, y, -1, -1), lower(x, y, 0, -1),
-                lower(x, y, 1, -1);
-    for (int y = h - 1; y >= 0; --y)
-        for (int x = w - 1; x >= 0; --x)
-            lower(x, y, 1, 0), lower(x, y, 1, 1), lower(x, y, 0, 1), lower(x, y, -1, 1);
-    return heights;
+    for (int y = 0; y < regions.at.height(); ++y)
+        for (int x = 0; x < regions.at.width(); ++x) {
+            if (x > 0) meet(regions.at(x - 1, y), regions.at(x, y));
+            if (y > 0) meet(regions.at(x, y - 1), regions.at(x, y));
+        }
+    for (std::size_t r = 0; r < reaches.size(); ++r)
+        reaches[r] = std::min(
+            reaches[r],
+            std::max(kLeastReach, kMostReach * std::sqrt(double(regions.cells[r]))) *
+                spacing);
+    return reaches;
 }
 
-Field<float> negative(Field<float> field) {
-    for (float& value : field) value = -value;
-    return field;
+// Heights that are their region's mean far inside and slope between neighbours, most of
+// it on the side of the steeper one: div(k grad h) = k (h - mean) / reach^2 with k = 1 /
+// slope, so that slopes on both sides of a boundary are as their lands' are. By
+// successive over-relaxation.
+Field<float> sloped(const Field<float>& level, const Regions& regions,
+                    const std::vector<Means>& means, double spacing) {
+    const int w = level.width(), h = level.height();
+    const std::vector<double> reaches = reaches_of(regions, means, spacing);
+    const auto stiffness = [&](int x, int y) {
+        return 1.0 /
+               means[std::size_t(regions.types[std::size_t(regions.at(x, y))])].slope;
+    };
+    Field<float> result = level;
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const double own = stiffness(x, y);
+                const double reach = reaches[std::size_t(regions.at(x, y))] / spacing;
+                const double held = own / (reach * reach);
+                double sum = held * level(x, y), weights = held;
+                const auto add = [&](int i, int j) {
+                    if (!level.contains(i, j)) return;
+                    const double k = 2.0 / (1.0 / own + 1.0 / stiffness(i, j));
+                    sum += k * result(i, j), weights += k;
+                };
+                add(x - 1, y), add(x + 1, y), add(x, y - 1), add(x, y + 1);
+                result(x, y) += float(kRelaxation * (sum / weights - result(x, y)));
+            }
+    return result;
 }
 
 }  // namespace
@@ -63,25 +98,15 @@ Field<float> negative(Field<float> field) {
 Base base_of(const LevelSamples& samples, const Regions& regions) {
     const int w = regions.at.width(), h = regions.at.height();
     std::vector<Means> means(samples.of_type.size());
-    double steepest = 1e-3;
-    for (const int type : regions.types) {
+    for (const int type : regions.types)
         means[std::size_t(type)] = means_of(samples, type);
-        steepest = std::max(steepest, means[std::size_t(type)].slope);
-    }
     Field<float> level(w, h);
     for (std::size_t i = 0; i < level.size(); ++i)
         level[i] =
             float(means[std::size_t(regions.types[std::size_t(regions.at[i])])].height);
 
-    // Half way between the largest land below that is nowhere too steep and the least
-    // above: at a step both fall by twice the slope wanted, and their mean by that.
-    const double rise = 2.0 * steepest * samples.spacing;
-    const Field<float> low = below(level, rise),
-                       high = negative(below(negative(level), rise));
-    Base base{Field<float>(w, h), Field<float>(w, h, 1.0f), samples};
-    for (std::size_t i = 0; i < level.size(); ++i)
-        base.pattern[i] = 0.5f * (low[i] + high[i]);
-    base.pattern = blurred(base.pattern, kSmooth);
+    Base base{sloped(level, regions, means, samples.spacing), Field<float>(w, h, 1.0f),
+              samples};
 
     std::vector<double> most(regions.types.size());
     for (std::size_t i = 0; i < level.size(); ++i) {
@@ -90,9 +115,8 @@ Base base_of(const LevelSamples& samples, const Regions& regions) {
     }
     for (std::size_t i = 0; i < level.size(); ++i) {
         const double m = most[std::size_t(regions.at[i])];
-        // What is off by less than a cell's rise needs no slope.
         const double off = std::abs(base.pattern[i] - level[i]);
-        if (m > 0.5 * rise) base.own[i] = float(1.0 - off / m);
+        if (m > 0.0) base.own[i] = float(1.0 - (1.0 - kLeastOwn) * (off / m) * (off / m));
     }
 
     for (Sample& sample : base.samples.all) {

@@ -12,8 +12,8 @@ struct Base {
     // How high the land of each cell is to lie on the whole: as its type's samples do,
     // and where neighbours' differ a slope between them that is no steeper than theirs.
     Field<float> pattern;
-    // How much of its chunk's own land a cell has, 0 to 1: none at the middle of a slope
-    // between neighbours.
+    // How much of its chunk's own relief a cell has, 0 to 1: least where it meets another
+    // type's land.
     Field<float> own;
     // The samples with all of their land, less their type's mean, as detail.
     LevelSamples samples;

@@ -11,8 +11,8 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kPopulation = 5, kCycles = 20;  // notes.md, Saunders 2006, 2
-constexpr int kGenes = 12;                    // of one run
+constexpr int kPopulation = 5, kCycles = 20;      // notes.md, Saunders 2006, 2
+constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
 constexpr double kRoom = 0.2;  // how far a part may stray, of its length
@@ -30,8 +30,8 @@ std::vector<Point2> decoded(const std::vector<double>& turns) {
     double angle = 0.0;
     for (const double turn : turns) {
         angle += turn;
-        points.push_back({points.back()[0] + std::cos(angle),
-                          points.back()[1] + std::sin(angle)});
+        points.push_back(
+            {points.back()[0] + std::cos(angle), points.back()[1] + std::sin(angle)});
     }
     const auto [ex, ey] = points.back();
     const double square = ex * ex + ey * ey;
@@ -181,7 +181,8 @@ double cross(const Point2& o, const Point2& a, const Point2& b) {
 }
 
 bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-    return cross(a, b, c) * cross(a, b, d) <= 0.0 && cross(c, d, a) * cross(c, d, b) <= 0.0 &&
+    return cross(a, b, c) * cross(a, b, d) <= 0.0 &&
+           cross(c, d, a) * cross(c, d, b) <= 0.0 &&
            std::max(a[0], b[0]) >= std::min(c[0], d[0]) &&
            std::max(c[0], d[0]) >= std::min(a[0], b[0]) &&
            std::max(a[1], b[1]) >= std::min(c[1], d[1]) &&
@@ -213,8 +214,8 @@ bool crosses_itself(const std::vector<Point2>& line) {
 }
 
 std::vector<Point2> refined(const StraightBoundary& boundary, std::uint64_t seed) {
-    const double length = std::hypot(boundary.to[0] - boundary.from[0],
-                                     boundary.to[1] - boundary.from[1]);
+    const double length =
+        std::hypot(boundary.to[0] - boundary.from[0], boundary.to[1] - boundary.from[1]);
     std::vector<Point2> line;
     if (!(length > boundary.segment)) return {boundary.from, boundary.to};
     // Parts stray too, all of them together by less than a quarter more.

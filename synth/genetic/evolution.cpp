@@ -1,5 +1,7 @@
 #include "synth/genetic/evolution.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -463,6 +465,7 @@ Evolved evolved(const Fitness& fitness, const std::vector<std::optional<Gene>>& 
         });
         rank();
         generations.push_back(generation_of(population, fitness));
+        progress.figure(fmt::format("fitness {:.3f}", generations.back().fitness));
     }
     progress.report(1.0);
     return {std::move(population.front().chromosome), std::move(generations)};

@@ -15,7 +15,8 @@ constexpr Rgb8 kPaper{255, 255, 255}, kFrame{200, 200, 200}, kFittest{20, 20, 20
 
 void draw_line(Field<Rgb8>& picture, double x0, double y0, double x1, double y1,
                Rgb8 colour) {
-    const int steps = std::max(1, int(std::max(std::abs(x1 - x0), std::abs(y1 - y0)) * 2));
+    const int steps =
+        std::max(1, int(std::max(std::abs(x1 - x0), std::abs(y1 - y0)) * 2));
     for (int i = 0; i <= steps; ++i) {
         const double t = double(i) / steps;
         const int x = int(std::lround(x0 + t * (x1 - x0))),
@@ -40,9 +41,8 @@ Field<Rgb8> relief_picture(const Field<float>& heights, double spacing) {
             const double east = (heights(e, j) - heights(w, j)) / across,
                          south = (heights(i, s) - heights(i, n)) / down;
             // From the north-west, 45 degrees high.
-            const double light =
-                (0.5 * east + 0.5 * south + std::sqrt(0.5)) / std::sqrt(1.0 + east * east +
-                                                                    south * south);
+            const double light = (0.5 * east + 0.5 * south + std::sqrt(0.5)) /
+                                 std::sqrt(1.0 + east * east + south * south);
             const auto grey = std::uint8_t(std::clamp(255.0 * light, 0.0, 255.0));
             picture(x, y) = {grey, grey, grey};
         }

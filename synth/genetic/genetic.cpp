@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "field/error.h"
 #include "field/random.h"
 #include "synth/genetic/analysis.h"
 #include "synth/genetic/by_texture.h"
 #include "synth/genetic/explain.h"
-#include "synth/genetic/placed.h"
 #include "synth/genetic/height_field.h"
 #include "synth/genetic/map.h"
+#include "synth/genetic/placed.h"
 #include "synth/genetic/similarity.h"
 
 namespace cydonia::genetic {
@@ -50,8 +51,8 @@ void show_types(const Options& options, const MapRaster& map, Terrain& terrain) 
         const TypeOptions& of = options.library.types[type];
         picture[i] = {of.colour[0], of.colour[1], of.colour[2]};
         if (!masks[type])
-            masks[type] = &(terrain.masks["type-" + of.name] = Field<float>(
-                                map.types.width(), map.types.height()));
+            masks[type] = &(terrain.masks["type-" + of.name] =
+                                Field<float>(map.types.width(), map.types.height()));
         (*masks[type])[i] = 1.0f;
     }
 }
@@ -101,6 +102,25 @@ void judge(const Options& options, const std::vector<LevelSamples>& samples,
     if (cells > 0.0) terrain.figures["genetic: similarity"] = sum / cells;
 }
 
+// Of each type, by its samples where their heights are their own; NaN without any.
+std::vector<double> mean_heights(const std::vector<LevelSamples>& samples) {
+    std::vector<double> means;
+    for (std::size_t t = 0; t < samples.back().of_type.size(); ++t) {
+        double sum = 0.0, cells = 0.0;
+        for (const LevelSamples& level : samples)
+            for (const int s : level.of_type[t]) {
+                const Sample& sample = level.all[std::size_t(s)];
+                if (sample.smaller) continue;
+                const double n = double(sample.width()) * sample.height();
+                sum += n * sample.land->mean(0, 0, sample.width(), sample.height());
+                cells += n;
+            }
+        means.push_back(cells > 0.0 ? sum / cells
+                                    : std::numeric_limits<double>::quiet_NaN());
+    }
+    return means;
+}
+
 void explain(const std::vector<LevelDone>& levels, const Explain& sinks) {
     for (const LevelDone& level : levels)
         sinks.picture(fmt::format("level-{:g}m", level.spacing),
@@ -115,27 +135,42 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     Progress& progress = *context.progress;
     const Extent extent{terrain.heights.width(), terrain.heights.height(),
                         terrain.spacing};
+    int levels_at_most = 1;
+    while (levels_at_most < kMostLevels &&
+           extent.spacing * std::pow(options.ratio, levels_at_most) <=
+               1.001 * options.coarsest)
+        ++levels_at_most;
+    const auto samples_with = [&](const std::vector<std::uint8_t>& used) {
+        progress.step("genetic: reading the samples");
+        return samples_of(options.library, used, extent.spacing, options.ratio,
+                          levels_at_most, progress);
+    };
+    const std::uint64_t map_seed = hash_of({context.seed, key("map")});
+    MapOptions drawn = options.map;
+    if (drawn.automatic > 0) {
+        std::vector<std::uint8_t> all;
+        for (const TypeOptions& type : options.library.types)
+            all.push_back(!type.examples.empty());
+        const MapOptions made =
+            automatic_map(options.library, mean_heights(samples_with(all)),
+                          drawn.automatic, extent, map_seed);
+        drawn.regions = made.regions, drawn.window = made.window;
+    }
     progress.step("genetic: the map");
-    const MapRaster map = rasterised(options.map, options.library, extent,
-                                     hash_of({context.seed, key("map")}), progress);
+    const MapRaster map = rasterised(drawn, options.library, extent, map_seed, progress);
     const Regions regions = regions_of(map);
 
     std::vector<std::uint8_t> used(options.library.types.size());
     for (const int type : regions.types) used[std::size_t(type)] = 1;
-    int count = 1;
-    while (count < kMostLevels &&
-           extent.spacing * std::pow(options.ratio, count) <= 1.001 * options.coarsest)
-        ++count;
-    progress.step("genetic: reading the samples");
-    std::vector<LevelSamples> samples = samples_of(
-        options.library, used, extent.spacing, options.ratio, count, progress);
+    std::vector<LevelSamples> samples = samples_with(used);
     const int base = base_level(samples, regions, extent.columns, extent.rows,
                                 options.ratio, options.coarsest);
     samples.erase(samples.begin(), samples.begin() + base);
     for (const int type : regions.types)
         if (samples.front().of_type[std::size_t(type)].empty())
             throw bad_request(
-                "the samples of '{}' are smaller than a gene at {:.4g} m; give larger ones",
+                "the samples of '{}' are smaller than a gene at {:.4g} m; give larger "
+                "ones",
                 options.library.types[std::size_t(type)].name, samples.front().spacing);
 
     // Where texture takes over, and where samples are too coarse for it.
@@ -149,10 +184,10 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
                                               context.cache, progress);
     const Features features =
         features_of(options.points, options.curves, extent, progress);
-    std::vector<LevelDone> levels = height_field(
-        regions, samples, options.ratio, options.evolution, features, texture.get(),
-        samples[std::size_t(from)].spacing, samples[std::size_t(to)].spacing,
-        context.seed, progress);
+    std::vector<LevelDone> levels =
+        height_field(regions, samples, options.ratio, options.evolution, features,
+                     texture.get(), samples[std::size_t(from)].spacing,
+                     samples[std::size_t(to)].spacing, context.seed, progress);
     if (context.explain) explain(levels, *context.explain);
 
     Terrain result;
@@ -166,8 +201,8 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         result.figures[fmt::format("genetic: fitness at {:g} m", level.spacing)] =
             level.generations.back().fitness;
         if (level.seam_energy > 0.0)
-            result.figures[fmt::format("genetic: seam energy at {:g} m",
-                                       level.spacing)] = level.seam_energy;
+            result.figures[fmt::format("genetic: seam energy at {:g} m", level.spacing)] =
+                level.seam_energy;
     }
     show_types(options, map, result);
     return result;

@@ -45,7 +45,8 @@ void fill(const Drawn& drawn, const Extent& extent, const auto& put) {
         std::ranges::sort(at);
         for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
             const int first = std::max(0, int(std::ceil(at[i] / s - 0.5))),
-                      last = std::min(extent.columns, int(std::ceil(at[i + 1] / s - 0.5)));
+                      last =
+                          std::min(extent.columns, int(std::ceil(at[i + 1] / s - 0.5)));
             for (int column = first; column < last; ++column) put(column, row);
         }
     }
@@ -67,10 +68,10 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
             owner = int(r);
         });
     for (const auto& [pair, cells] : overlaps)
-        progress.warn(fmt::format(
-            "map: '{}' lies over '{}' on {} of the land",
-            map.regions[std::size_t(pair.second)].name,
-            map.regions[std::size_t(pair.first)].name, percent(cells, owners.size())));
+        progress.warn(fmt::format("map: '{}' lies over '{}' on {} of the land",
+                                  map.regions[std::size_t(pair.second)].name,
+                                  map.regions[std::size_t(pair.first)].name,
+                                  percent(cells, owners.size())));
     return owners;
 }
 
@@ -79,9 +80,9 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
 void close_gaps(Field<int>& owners, Progress& progress) {
     const auto gaps = std::size_t(std::ranges::count(owners, kNobody));
     if (gaps == 0) return;
-    progress.warn(fmt::format(
-        "map: {} of the land is in no region, and goes to the nearest one",
-        percent(gaps, owners.size())));
+    progress.warn(
+        fmt::format("map: {} of the land is in no region, and goes to the nearest one",
+                    percent(gaps, owners.size())));
     const int w = owners.width(), h = owners.height();
     Field<std::array<int, 2>> from(w, h, {kNobody, kNobody});
     for (int y = 0; y < h; ++y)
@@ -108,8 +109,7 @@ void close_gaps(Field<int>& owners, Progress& progress) {
     }
     Field<int> closed = owners;
     for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x)
-            closed(x, y) = owners(from(x, y)[0], from(x, y)[1]);
+        for (int x = 0; x < w; ++x) closed(x, y) = owners(from(x, y)[0], from(x, y)[1]);
     owners = std::move(closed);
 }
 
@@ -164,8 +164,7 @@ Pieces pieces_of(const Field<std::uint8_t>& types) {
                 ++found.cells;
                 found.box = {std::min(found.box[0], i), std::min(found.box[1], j),
                              std::max(found.box[2], i), std::max(found.box[3], j)};
-                for (const auto [dx, dy] :
-                     {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                for (const auto [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
                     const int p = i + dx, q = j + dy;
                     if (!types.contains(p, q) || pieces.at(p, q) != kNobody ||
                         types(p, q) != types(x, y))
@@ -250,8 +249,8 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
                               region.type);
         types.push_back(std::uint8_t(type));
     }
-    Field<int> owners = owners_of(drawn_outlines(map, library, extent, seed), map, extent,
-                                  progress);
+    Field<int> owners =
+        owners_of(drawn_outlines(map, library, extent, seed), map, extent, progress);
     if (std::ranges::count(owners, kNobody) == std::ptrdiff_t(owners.size()))
         throw bad_request(
             "no region of the map lies in its window, {} to {} east and {} to {} north",
@@ -285,10 +284,11 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
     }
     for (std::size_t p = 0; p < pieces.all.size(); ++p)
         if (widest[p] < kNarrow)
-            progress.warn(fmt::format(
-                "map: '{}' is nowhere wider than {:.0f} samples of {:.4g} m: smaller than "
-                "a gene, it will hardly be like its type",
-                pieces.all[p].name, 2.0f * widest[p], extent.spacing));
+            progress.warn(
+                fmt::format("map: '{}' is nowhere wider than {:.0f} samples of {:.4g} m: "
+                            "smaller than "
+                            "a gene, it will hardly be like its type",
+                            pieces.all[p].name, 2.0f * widest[p], extent.spacing));
     raster.regions = std::move(pieces.at);
     raster.all = std::move(pieces.all);
     return raster;

@@ -77,9 +77,8 @@ Loop with_corners_on(const Loop& loop, const Corners& corners,
         std::vector<std::pair<double, int>> between;
         const auto begin = std::ranges::lower_bound(
             order, std::min(a[0], b[0]) - same, {}, [&](int k) { return corners[k][0]; });
-        for (auto k = begin; k != order.end() &&
-                             corners[*k][0] <= std::max(a[0], b[0]) + same;
-             ++k)
+        for (auto k = begin;
+             k != order.end() && corners[*k][0] <= std::max(a[0], b[0]) + same; ++k)
             if (*k != from && *k != to && distance_to(corners[*k], a, b) <= same)
                 between.emplace_back(distance(a, corners[*k]), *k);
         std::ranges::sort(between);
@@ -91,8 +90,9 @@ Loop with_corners_on(const Loop& loop, const Corners& corners,
 
 void refuse_bad(const Loop& loop, const Corners& corners, const std::string& name) {
     if (loop.size() < 3)
-        throw bad_request("region '{}' has an outline of {} corners; at least 3 are needed",
-                          name, loop.size());
+        throw bad_request(
+            "region '{}' has an outline of {} corners; at least 3 are needed", name,
+            loop.size());
     std::vector<Point2> line;
     double area = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -224,10 +224,9 @@ double Mesh::free_angle(const Edge& edge, int corner) const {
     double least = std::numbers::pi;
     for (const int other : neighbours_.at(corner))
         if (other != far)
-            least = std::min(
-                least, std::abs(std::remainder(
-                           angle_of(corners_[corner], corners_[other]) - own,
-                           2.0 * std::numbers::pi)));
+            least = std::min(least, std::abs(std::remainder(
+                                        angle_of(corners_[corner], corners_[other]) - own,
+                                        2.0 * std::numbers::pi)));
     return least;
 }
 
@@ -289,9 +288,11 @@ std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& li
             .course = {course(task.edge, first), course(task.edge, second)},
             .segment = extent_.spacing};
         // By its place, so that a change elsewhere leaves it as it is.
-        const auto bits = [](double v) { return std::uint64_t(std::llround(v * 1000.0)); };
-        task.line = genetic::refined(boundary, hash_of({seed, bits(a[0]), bits(a[1]),
-                                                        bits(b[0]), bits(b[1])}));
+        const auto bits = [](double v) {
+            return std::uint64_t(std::llround(v * 1000.0));
+        };
+        task.line = genetic::refined(
+            boundary, hash_of({seed, bits(a[0]), bits(a[1]), bits(b[0]), bits(b[1])}));
     });
     std::vector<Drawn> result;
     for (const auto& loops : loops_) {
