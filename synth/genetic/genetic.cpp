@@ -57,13 +57,18 @@ void show_types(const Options& options, const MapRaster& map, Terrain& terrain) 
     }
 }
 
-// How like its type each region is, by all that the library judges land by (IV.3.2), at
-// the level's own spacing.
-void judge(const Options& options, const std::vector<LevelSamples>& samples,
-           const Regions& regions, const MapRaster& map, Terrain& terrain,
-           Progress& progress) {
+// How like its type each region is, by all that the library judges land by (IV.3.2), on
+// the finest level that samples are as fine as: below there is nothing to judge it by.
+void judge(const Options& options, const LevelSamples& finest, const MapRaster& map,
+           Regions regions, Terrain& terrain, Progress& progress) {
     progress.step("genetic: how like its types the land is");
-    const LevelSamples& finest = samples.back();
+    Terrain judged;
+    judged.heights = terrain.heights, judged.spacing = terrain.spacing;
+    while (judged.spacing < 0.99 * finest.spacing) {
+        judged.heights = coarser(judged.heights, options.ratio);
+        judged.spacing *= options.ratio;
+        regions = coarser(regions, options.ratio);
+    }
     std::vector<Type> types;
     std::vector<int> index(options.library.types.size(), -1);
     for (std::size_t t = 0; t < options.library.types.size(); ++t) {
@@ -84,7 +89,7 @@ void judge(const Options& options, const std::vector<LevelSamples>& samples,
     }
     const Library library(std::move(types));
     const std::vector<Analysis> of_regions =
-        analyses_of(terrain, regions.at, int(regions.types.size()));
+        analyses_of(judged, regions.at, int(regions.types.size()));
     double sum = 0.0, cells = 0.0;
     for (std::size_t r = 0; r < regions.types.size(); ++r) {
         const int type = index[std::size_t(regions.types[r])];
@@ -193,7 +198,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     Terrain result;
     result.spacing = terrain.spacing;
     result.heights = std::move(levels.back().heights);
-    judge(options, samples, regions, map, result, progress);
+    judge(options, samples[std::size_t(to)], map, regions, result, progress);
     result.figures["genetic: regions"] = double(regions.types.size());
     result.figures["genetic: levels"] = double(samples.size());
     for (const LevelDone& level : levels) {
