@@ -7,7 +7,7 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr double kLeastReach = 0.5;   // cells
-constexpr double kMostReach = 0.25;   // of a region's side
+constexpr double kMostReach = 0.3;    // of a region's side
 constexpr double kLevelSlope = 1e-3;  // of land that has none
 constexpr double kLeastOwn = 0.3;     // of a chunk's relief, where it meets another type
 constexpr int kSweeps = 300;

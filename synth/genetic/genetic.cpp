@@ -42,6 +42,16 @@ Regions regions_of(const MapRaster& map) {
     return regions;
 }
 
+// "sea floor" as the mask "type-sea-floor".
+std::string file_safe(std::string name) {
+    for (char& c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '_';
+        if (!plain) c = '-';
+    }
+    return name;
+}
+
 void show_types(const Options& options, const MapRaster& map, Terrain& terrain) {
     Field<Rgb8>& picture = terrain.pictures["types"] =
         Field<Rgb8>(map.types.width(), map.types.height());
@@ -51,7 +61,7 @@ void show_types(const Options& options, const MapRaster& map, Terrain& terrain) 
         const TypeOptions& of = options.library.types[type];
         picture[i] = {of.colour[0], of.colour[1], of.colour[2]};
         if (!masks[type])
-            masks[type] = &(terrain.masks["type-" + of.name] =
+            masks[type] = &(terrain.masks["type-" + file_safe(of.name)] =
                                 Field<float>(map.types.width(), map.types.height()));
         (*masks[type])[i] = 1.0f;
     }

@@ -61,17 +61,20 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
                      const Extent& extent, Progress& progress) {
     Field<int> owners(extent.columns, extent.rows, kNobody);
     std::map<std::pair<int, int>, std::size_t> overlaps;
+    std::vector<std::size_t> own(drawn.size());
     for (std::size_t r = 0; r < drawn.size(); ++r)
         fill(drawn[r], extent, [&](int x, int y) {
             int& owner = owners(x, y);
             if (owner != kNobody) ++overlaps[{owner, int(r)}];
-            owner = int(r);
+            owner = int(r), ++own[r];
         });
+    // One within another, as an island in the sea, is meant.
     for (const auto& [pair, cells] : overlaps)
-        progress.warn(fmt::format("map: '{}' lies over '{}' on {} of the land",
-                                  map.regions[std::size_t(pair.second)].name,
-                                  map.regions[std::size_t(pair.first)].name,
-                                  percent(cells, owners.size())));
+        if (cells < own[std::size_t(pair.second)])
+            progress.warn(fmt::format("map: '{}' lies over '{}' on {} of the land",
+                                      map.regions[std::size_t(pair.second)].name,
+                                      map.regions[std::size_t(pair.first)].name,
+                                      percent(cells, owners.size())));
     return owners;
 }
 

@@ -13,6 +13,8 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr double kSame = 1e-6;  // of the terrain's larger side: corners so near are one
+// Of the room to its neighbours, that a boundary may use.
+constexpr double kClear = 0.45;
 
 double distance(const Point2& a, const Point2& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -137,7 +139,7 @@ class Mesh {
 
   private:
     bool on_frame(const Edge& edge) const;
-    double clearance(const Edge& edge) const;
+    double clearance(const Edge& edge, double most) const;
     double free_angle(const Edge& edge, int corner) const;
     double course(const Edge& edge, int corner) const;
 
@@ -147,6 +149,12 @@ class Mesh {
     std::vector<std::vector<Loop>> loops_;  // of each region
     std::map<Edge, Sides> edges_;
     std::map<int, std::vector<int>> neighbours_;  // corners along edges
+    struct Placed {
+        double west;  // of its western end
+        Edge edge;
+    };
+    std::vector<Placed> by_west_;
+    double longest_ = 0.0;  // edge, west to east
 };
 
 Mesh::Mesh(const MapOptions& map, const Extent& extent)
@@ -185,6 +193,13 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
             }
         }
     }
+    for (const auto& entry : edges_) {
+        const double a = corners_[entry.first.first][0],
+                     b = corners_[entry.first.second][0];
+        by_west_.push_back({std::min(a, b), entry.first});
+        longest_ = std::max(longest_, std::abs(a - b));
+    }
+    std::ranges::stable_sort(by_west_, {}, &Placed::west);
 }
 
 bool Mesh::on_frame(const Edge& edge) const {
@@ -197,20 +212,22 @@ bool Mesh::on_frame(const Edge& edge) const {
            beyond([&](const Point2& p) { return p[1] >= d - s; });
 }
 
-// To the nearest edge that has no corner in common.
-double Mesh::clearance(const Edge& edge) const {
+// To the nearest edge that has no corner in common, `most` if none is nearer.
+double Mesh::clearance(const Edge& edge, double most) const {
     const Point2 &a = corners_[edge.first], &b = corners_[edge.second];
-    double nearest = 1e30;
-    for (const auto& entry : edges_) {
-        const Edge& other = entry.first;
+    const auto begin = std::ranges::lower_bound(
+        by_west_, std::min(a[0], b[0]) - most - longest_, {}, &Placed::west);
+    for (auto i = begin; i != by_west_.end() && i->west <= std::max(a[0], b[0]) + most;
+         ++i) {
+        const Edge& other = i->edge;
         if (other.first == edge.first || other.first == edge.second ||
             other.second == edge.first || other.second == edge.second)
             continue;
         const Point2 &c = corners_[other.first], &d = corners_[other.second];
-        nearest = std::min({nearest, distance_to(a, c, d), distance_to(b, c, d),
-                            distance_to(c, a, b), distance_to(d, a, b)});
+        most = std::min({most, distance_to(a, c, d), distance_to(b, c, d),
+                         distance_to(c, a, b), distance_to(d, a, b)});
     }
-    return nearest;
+    return most;
 }
 
 double angle_of(const Point2& from, const Point2& to) {
@@ -283,7 +300,8 @@ std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& li
             .from = a,
             .to = b,
             .smoothness = smoothness_of(*task.sides, map, library),
-            .envelope = std::min({drawn, 0.3 * length, 0.45 * clearance(task.edge)}),
+            .envelope =
+                kClear * clearance(task.edge, std::min(drawn, 0.3 * length) / kClear),
             .free_at = {free_angle(task.edge, first), free_angle(task.edge, second)},
             .course = {course(task.edge, first), course(task.edge, second)},
             .segment = extent_.spacing};
