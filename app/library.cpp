@@ -56,7 +56,7 @@ std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& an
     double done = 0.0, all = 0.0;
     for (const auto& type : options.types) all += double(type.examples.size());
     for (const auto& type : options.types) {
-        for (auto& level : types) level.push_back({type.name, {}});
+        for (auto& level : types) level.push_back({type.name, {}, type.colour});
         for (const genetic::Example& example : type.examples) {
             for (std::size_t l = 0; l < types.size(); ++l)
                 if (const auto analysis = analyst(example, options.levels[l]))
@@ -173,7 +173,7 @@ void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions
                     double spacing, Analyst& analyst, Console& console) {
     std::vector<genetic::Type> types;
     for (const auto& type : options.types) {
-        types.push_back({type.name, {}});
+        types.push_back({type.name, {}, type.colour});
         for (const genetic::Example& example : type.examples)
             if (analyst(example, spacing))
                 std::ranges::copy(analyst.windows(example, spacing),
@@ -186,7 +186,7 @@ void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions
     const TypeMap map = type_map(library, std::move(*land));
     const fs::path file =
         folder_of(request) / (request.land.stem().string() + "-types.png");
-    write_type_picture(file, map);
+    write_type_picture(file, library, map);
     if (print_types(library, map, request.land))
         console.warn(fmt::format("{} is of several types; the map is {}",
                                  request.land.string(), file.string()));

@@ -111,11 +111,12 @@ Analyst::Analyst(fs::path folder, Console& console)
 
 fs::path Analyst::file_of(const char* what, const Example& example, double level) const {
     const auto& w = example.window;
-    return folder_ / fmt::format("{:016x}.json",
-                                 hash_text(fmt::format("{} {} {:016x} {} {} {} {} {}",
-                                                       what, genetic::kAnalysisVersion,
-                                                       example.source.hash, w[0], w[1],
-                                                       w[2], w[3], level)));
+    return folder_ /
+           fmt::format("{:016x}.json", hash_text(fmt::format(
+                                           "{} {} {:016x} {} {} {} {} {} {} {} {}", what,
+                                           genetic::kAnalysisVersion, example.source.hash,
+                                           w[0], w[1], w[2], w[3], level, example.scale,
+                                           example.vertical_scale, example.raise)));
 }
 
 const Analyst::Model& Analyst::model_of(const Source& source) {
@@ -133,10 +134,12 @@ const Analyst::Model& Analyst::model_of(const Source& source) {
 
 std::optional<Studied> Analyst::studied(const Example& example, double level) {
     const Model& model = model_of(example.source);
-    if (level < kFinest * model.terrain.spacing) return {};
     Terrain part;
-    part.spacing = model.terrain.spacing;
+    part.spacing = model.terrain.spacing * example.scale;
+    if (level < kFinest * part.spacing) return {};
     part.heights = part_of(model.terrain.heights, example.window);
+    for (float& height : part.heights)
+        height = float(height * example.vertical_scale + example.raise);
     Studied studied;
     studied.terrain = genetic::at_level(part, level);
     const Terrain& land = studied.terrain;

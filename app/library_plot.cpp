@@ -42,7 +42,7 @@ constexpr std::array<const char*, genetic::kQuantities> kUnits = {
 
 struct Row {
     std::string name;
-    const char* colour;
+    std::string colour;
     std::vector<Statistics> examples;
 };
 
@@ -117,8 +117,8 @@ std::string library_plot(const genetic::Library& library, double level,
         }
         std::vector<Row> rows;
         for (std::size_t t = 0; t < library.types().size(); ++t) {
-            Row& row =
-                rows.emplace_back(Row{library.types()[t].name, type_colour(t).hex, {}});
+            Row& row = rows.emplace_back(
+                Row{library.types()[t].name, hex_of(library.types()[t].colour), {}});
             for (const Analysis& example : library.types()[t].examples)
                 row.examples.push_back(example[std::size_t(q)]);
         }

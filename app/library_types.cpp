@@ -46,14 +46,15 @@ TypeMap type_map(const genetic::Library& library, Studied land) {
     return map;
 }
 
-void write_type_picture(const std::filesystem::path& file, const TypeMap& map) {
+void write_type_picture(const std::filesystem::path& file,
+                        const genetic::Library& library, const TypeMap& map) {
     const Terrain& terrain = map.land.terrain;
     const Field<float> shade = render::relief(terrain.heights, terrain.spacing);
     Field<Rgb8> picture(shade.width(), shade.height());
     for (std::size_t i = 0; i < picture.size(); ++i) {
         const int type = map.types[i];
         Rgb8 colour =
-            type == genetic::kNoType ? kNone : type_colour(std::size_t(type)).rgb;
+            type == genetic::kNoType ? kNone : library.types()[std::size_t(type)].colour;
         double light = 0.25 + 0.95 * double(shade[i]), white = 0.2;
         if (!map.land.water.empty() && map.land.water[i])
             colour = kWater, light = 1.0, white = 0.0;
@@ -75,8 +76,8 @@ bool print_types(const genetic::Library& library, const TypeMap& map,
                              [&](std::size_t t) { return map.shares[t]; });
     fmt::print("types at {:g} m, of its land\n", map.land.terrain.spacing);
     for (const std::size_t t : order)
-        fmt::print("  {:>4.1f}%  {:10}  {}\n", 100.0 * map.shares[t], type_colour(t).name,
-                   library.types()[t].name);
+        fmt::print("  {:>4.1f}%  {:10}  {}\n", 100.0 * map.shares[t],
+                   hex_of(library.types()[t].colour), library.types()[t].name);
     if (order.size() < 2 || map.shares[order[1]] < kMixed) return false;
     fmt::print("windows of one type, as examples\n");
     for (const std::size_t t : order) {

@@ -19,7 +19,8 @@ struct TypeMap {
 TypeMap type_map(const genetic::Library& library, Studied land);
 
 // The types' colours over shaded relief; water is dark blue, voids are black.
-void write_type_picture(const std::filesystem::path& file, const TypeMap& map);
+void write_type_picture(const std::filesystem::path& file,
+                        const genetic::Library& library, const TypeMap& map);
 
 // Each type's share and colour; of a land of several types the windows that are of one,
 // as a library's TOML file has them. Whether it is mixed.

@@ -112,18 +112,15 @@ void read(Table& t, LibraryOptions& library) {
 
 void colour_types(LibraryOptions& library) {
     using Rgb = std::array<std::uint8_t, 3>;
-    constexpr std::array<Rgb, 12> kColours = {{{166, 124, 82},
-                                               {120, 156, 84},
-                                               {214, 196, 128},
-                                               {130, 130, 140},
-                                               {84, 140, 160},
-                                               {190, 90, 70},
-                                               {150, 180, 200},
-                                               {110, 90, 130},
-                                               {60, 110, 70},
-                                               {230, 150, 90},
-                                               {100, 70, 50},
-                                               {200, 120, 160}}};
+    // Told apart by everybody (Okabe and Ito 2008).
+    constexpr std::array<Rgb, 8> kColours = {{{0x00, 0x72, 0xb2},
+                                              {0xd5, 0x5e, 0x00},
+                                              {0x00, 0x9e, 0x73},
+                                              {0xcc, 0x79, 0xa7},
+                                              {0xe6, 0x9f, 0x00},
+                                              {0x56, 0xb4, 0xe9},
+                                              {0xf0, 0xe4, 0x42},
+                                              {0x44, 0x44, 0x44}}};
     // After those, hues a golden angle apart: 137 degrees.
     const auto colour = [&](std::size_t i) -> Rgb {
         if (i < kColours.size()) return kColours[i];

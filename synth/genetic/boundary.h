@@ -37,5 +37,8 @@ std::vector<Point2> refined(const StraightBoundary& boundary, std::uint64_t seed
 
 // Where two segments that do not follow each other meet.
 std::optional<Point2> crossing_of(const std::vector<Point2>& line);
+inline bool crosses_itself(const std::vector<Point2>& line) {
+    return crossing_of(line).has_value();
+}
 
 }  // namespace cydonia::genetic

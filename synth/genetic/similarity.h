@@ -26,6 +26,7 @@ struct Likeness {
 struct Type {
     std::string name;
     std::vector<Analysis> examples;  // at one level of detail
+    std::array<std::uint8_t, 3> colour{};
 };
 
 // Types of land by their examples, all at one level of detail.

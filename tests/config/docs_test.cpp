@@ -117,9 +117,9 @@ std::vector<Documented> documented_defaults() {
     static const std::regex heading("##+ `\\[+([a-z_.]+)\\]+`.*");
     static const std::regex row("\\| `([a-z_]+)` \\|[^|]*\\| `([^`]+)` \\|.*");
     std::vector<Documented> rows;
-    const std::map<std::string, int> stages{{"distance", 0}, {"pareidolia", 1},
-                                            {"dem", 2},      {"texture", 3},
-                                            {"detail", 4},   {"sketch", 5}};
+    const std::map<std::string, int> stages{
+        {"distance", 0}, {"pareidolia", 1}, {"dem", 2},    {"texture", 3},
+        {"detail", 4},   {"sketch", 5},     {"genetic", 6}};
     std::string prefix, stage;
     for (const auto& line : lines_of(manual())) {
         std::smatch match;
@@ -176,6 +176,8 @@ TEST_F(Docs, DefaultsAreTheStructs) {
         "{ view = { drawing = \"ridges.svg\" } }]\n"
         "region = [{ points = [[0, 0], [1, 1], [0, 1]], "
         "noise = { drawing = \"ridges.svg\" } }]\n"
+        "[[terrain.stage]]\nmethod = \"genetic\"\nlibrary = \"kinds.toml\"\n"
+        "region = [{ type = \"plain\", outline = [[0, 0], [1, 0], [1, 1]] }]\n"
         "[[render.camera]]\nname = \"a\"\n"
         "[[render.thing]]\nkind = \"rock\"\n[render.water]\n";
     const auto expected = values_of(load(plain).at(0));

@@ -40,7 +40,7 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.terrain.width, 6000.0);
     EXPECT_EQ(s.terrain.depth, 4000.0);
-    ASSERT_EQ(s.stages.size(), 8u);
+    ASSERT_EQ(s.stages.size(), 9u);
 
     const auto& d = stage<distance::Options>(s, 0);
     EXPECT_EQ(d.metric, distance::Options::Metric::kThesis);
@@ -130,7 +130,26 @@ TEST_F(Reader, FullSceneOfTerrain) {
     EXPECT_EQ(sketched.regions[0].length, metres(700.0));
     EXPECT_EQ(sketched.regions[0].noise.top, 50.0);
 
-    const auto& c = stage<pareidolia::Options>(s, 7);
+    const auto& kinds = stage<genetic::Options>(s, 7);
+    EXPECT_EQ(kinds.library.types.size(), 2u);
+    ASSERT_EQ(kinds.map.regions.size(), 2u);
+    EXPECT_EQ(kinds.map.regions[0].name, "west");
+    EXPECT_EQ(kinds.map.regions[1].name, "high hills");
+    EXPECT_EQ(kinds.map.regions[1].outlines[0].size(), 4u);
+    EXPECT_EQ(kinds.map.window[3], 2.0);
+    EXPECT_EQ(kinds.map.smoothness, 0.25);
+    EXPECT_EQ(kinds.map.envelope, 300.0);
+    EXPECT_EQ(kinds.ratio, 2);
+    EXPECT_EQ(kinds.coarsest, 640.0);
+    EXPECT_EQ(kinds.optimiser, genetic::Optimiser::kEvolution);
+    EXPECT_EQ(kinds.evolution.gene, 12);
+    EXPECT_EQ(kinds.evolution.crossed, 4);
+    EXPECT_EQ(kinds.points.at(0).height, 900.0);
+    EXPECT_EQ(kinds.curves.at(0).name, "brook");
+    // The library's file and its samples are part of what land is made of.
+    EXPECT_EQ(s.stages[7].sources.size(), 3u);
+
+    const auto& c = stage<pareidolia::Options>(s, 8);
     EXPECT_EQ(c.solver, pareidolia::Solver::kConstrained);
     EXPECT_EQ(c.constrained.faithful, 2.0);
     EXPECT_EQ(c.constrained.natural, 0.5);

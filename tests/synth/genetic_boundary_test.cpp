@@ -69,8 +69,7 @@ TEST(Boundary, KeepsToItsLimits) {
                 const auto line = refined(b, seed);
                 ASSERT_EQ(line.front(), b.from);
                 ASSERT_EQ(line.back(), b.to);
-                ASSERT_FALSE(crossing_of(line).has_value())
-                    << length << ' ' << s << ' ' << seed;
+                ASSERT_FALSE(crosses_itself(line)) << length << ' ' << s << ' ' << seed;
                 for (std::size_t i = 1; i < line.size(); ++i)
                     ASSERT_LE(size(line[i - 1], line[i]), b.segment);
                 for (const Point2& p : line) {
@@ -130,11 +129,11 @@ TEST(Boundary, IsMadeByItsSeed) {
 }
 
 TEST(Boundary, CrossingsAreFound) {
-    EXPECT_TRUE(crossing_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).has_value());
-    EXPECT_FALSE(crossing_of({{0, 0}, {2, 2}, {2, 0}}).has_value());
-    EXPECT_FALSE(crossing_of({{0, 0}, {2, 2}, {2, 0}, {0, 0}}).has_value());
-    EXPECT_TRUE(crossing_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}}).has_value());  // touches
-    EXPECT_FALSE(crossing_of({}).has_value());
+    EXPECT_TRUE(crosses_itself({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
+    EXPECT_FALSE(crosses_itself({{0, 0}, {2, 2}, {2, 0}}));
+    EXPECT_FALSE(crosses_itself({{0, 0}, {2, 2}, {2, 0}, {0, 0}}));
+    EXPECT_TRUE(crosses_itself({{0, 0}, {4, 0}, {4, 2}, {2, 0}}));  // touches
+    EXPECT_FALSE(crosses_itself({}));
 }
 
 bool cross(const std::vector<Point2>& one, const std::vector<Point2>& other) {
@@ -180,7 +179,7 @@ TEST(Outlines, NeverCross) {
         for (std::size_t r = 0; r < drawn.size(); ++r) {
             auto closed = drawn[r].outlines[0];
             closed.push_back(closed.front());
-            EXPECT_FALSE(crossing_of(closed).has_value()) << seed << ' ' << r;
+            EXPECT_FALSE(crosses_itself(closed)) << seed << ' ' << r;
             for (std::size_t q = 0; q < r; ++q)
                 EXPECT_FALSE(cross(drawn[r].outlines[0], drawn[q].outlines[0]))
                     << seed << ' ' << r << ' ' << q;

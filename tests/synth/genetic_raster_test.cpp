@@ -346,7 +346,7 @@ TEST(BadMap, RandomOutlinesEndInLandOrAMessage) {
 }
 
 // Section VII.3.
-struct AutomaticMap : testing::Test {
+struct AutomaticMaps : testing::Test {
     LibraryOptions library = library_of({"high", "low", "mid", "unused"});
     std::vector<double> means = {2000.0, 10.0, 600.0,
                                  std::numeric_limits<double>::quiet_NaN()};
@@ -358,7 +358,7 @@ struct AutomaticMap : testing::Test {
     static constexpr Extent kWide{160, 120, 30.0};
 };
 
-TEST_F(AutomaticMap, CoversTheLandExactly) {
+TEST_F(AutomaticMaps, CoversTheLandExactly) {
     for (const int regions : {1, 2, 24, 200})
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
             Told told;
@@ -369,7 +369,7 @@ TEST_F(AutomaticMap, CoversTheLandExactly) {
         }
 }
 
-TEST_F(AutomaticMap, TypesAreAboutAsLargeAndLieByHeight) {
+TEST_F(AutomaticMaps, TypesAreAboutAsLargeAndLieByHeight) {
     double next = 0.0, apart = 0.0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const MapRaster made = raster(seed);
