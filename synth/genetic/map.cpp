@@ -249,9 +249,11 @@ void name_pieces(Pieces& pieces, const Field<int>& owners, const MapOptions& map
     if (!merged.empty())
         progress.note("map: neighbours of one type are one region: " + some_of(merged));
     if (!vanished.empty())
-        progress.note("map: without a cell of their own: " + some_of(vanished));
+        progress.note(fmt::format("map: {} regions have no cell of their own here: {}",
+                                  vanished.size(), some_of(vanished)));
     if (!split.empty())
-        progress.note("map: fallen apart, or cut by the window: " + some_of(split));
+        progress.note(fmt::format("map: {} regions fall apart here: {}", split.size(),
+                                  some_of(split)));
 }
 
 }  // namespace
