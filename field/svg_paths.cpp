@@ -4,6 +4,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "field/colour_words.h"
 #include "field/error.h"
 #include "field/svg.h"
 #include "field/svg_document.h"
@@ -25,8 +26,10 @@ bool displayed(const xmlNode& element) {
 
 using Fill = std::optional<std::array<std::uint8_t, 3>>;
 
-// "#rrggbb", "#rgb" or "rgb(r, g, b)"; none of anything else.
+// "#rrggbb", "#rgb", "rgb(r, g, b)" or a basic word; none of anything else.
 Fill fill_of(std::string_view text) {
+    for (const ColourWord& word : kColourWords)
+        if (word.name == text) return word.value;
     const auto hex = [](std::string_view digits) {
         int value = 0;
         const auto [end, error] =

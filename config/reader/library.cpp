@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "config/reader/elevation_models.h"
 #include "config/reader/library_ttl.h"
@@ -39,9 +41,16 @@ void read(Table& t, Example& example) {
         {"window"}, "is west, south, east and north, each a share: [0.0, 0.5, 0.5, 1.0]");
 }
 
-void read(Table& t, TypeOptions& type) {
+void read(Table& t, TypeOptions& type, const std::vector<TypeOptions>& all) {
     t.required("name", type.name, Text{kLongestName});
     t.field("colour", type.colour, Colour{});
+    const Colour::Rgb black{};
+    t.check(!t.has("colour") || type.colour != black, {"colour"},
+            "black is what lines are drawn in; choose another colour");
+    for (const TypeOptions& other : all)
+        if (&other < &type && other.colour == type.colour && type.colour != black)
+            t.check(false, {"colour"},
+                    fmt::format("'{}' has this colour already", other.name));
     std::vector<std::vector<Source>> found;
     t.field("examples", found, OneOrMore{ElevationModels{}});
     for (const auto& sources : found)
@@ -86,7 +95,7 @@ void read(Table& t, Transition& transition, const std::vector<std::string>& name
 }
 
 void read(Table& t, LibraryOptions& library) {
-    t.tables("type", library.types, kMostTypes);
+    t.tables("type", library.types, kMostTypes, library.types);
     t.check(!library.types.empty(), {"type"}, "the library has no types; add [[type]]");
     t.unique("type", "name");
     colour_types(library);
@@ -102,19 +111,33 @@ void read(Table& t, LibraryOptions& library) {
 }
 
 void colour_types(LibraryOptions& library) {
+    using Rgb = std::array<std::uint8_t, 3>;
     // Told apart by everybody (Okabe and Ito 2008).
-    constexpr std::array<std::array<std::uint8_t, 3>, 8> kColours = {
-        {{0x00, 0x72, 0xb2},
-         {0xd5, 0x5e, 0x00},
-         {0x00, 0x9e, 0x73},
-         {0xcc, 0x79, 0xa7},
-         {0xe6, 0x9f, 0x00},
-         {0x56, 0xb4, 0xe9},
-         {0xf0, 0xe4, 0x42},
-         {0x44, 0x44, 0x44}}};
-    for (std::size_t i = 0; i < library.types.size(); ++i)
-        if (library.types[i].colour == std::array<std::uint8_t, 3>{})
-            library.types[i].colour = kColours[i % kColours.size()];
+    constexpr std::array<Rgb, 8> kColours = {{{0x00, 0x72, 0xb2},
+                                              {0xd5, 0x5e, 0x00},
+                                              {0x00, 0x9e, 0x73},
+                                              {0xcc, 0x79, 0xa7},
+                                              {0xe6, 0x9f, 0x00},
+                                              {0x56, 0xb4, 0xe9},
+                                              {0xf0, 0xe4, 0x42},
+                                              {0x44, 0x44, 0x44}}};
+    // After those, hues a golden angle apart: 137 degrees.
+    const auto colour = [&](std::size_t i) -> Rgb {
+        if (i < kColours.size()) return kColours[i];
+        Rgb rgb;
+        for (std::size_t c = 0; c < 3; ++c)
+            rgb[c] = std::uint8_t(std::lround(
+                140.0 + 80.0 * std::cos(2.39996 * double(i) - 2.0944 * double(c))));
+        return rgb;
+    };
+    std::set<Rgb> taken;
+    for (const TypeOptions& type : library.types) taken.insert(type.colour);
+    std::size_t next = 0;
+    for (TypeOptions& type : library.types)
+        if (type.colour == Rgb{}) {
+            while (!taken.insert(colour(next)).second) ++next;
+            type.colour = colour(next);
+        }
 }
 
 LibraryOptions load_library(const std::filesystem::path& file) {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "config/reader/library.h"
+#include "config/reader/mistakes.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -51,6 +52,23 @@ std::optional<fs::path> model_called(const fs::path& folder, const std::string& 
     return {};
 }
 
+// Seams may stand before their types.
+void refuse_unknown(const genetic::LibraryOptions& library, const std::vector<int>& lines,
+                    const fs::path& file) {
+    std::vector<std::string> names;
+    for (const auto& type : library.types) names.push_back(type.name);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const genetic::Seam& seam = library.seams[i];
+        for (const std::string& name : {seam.a, seam.b})
+            if (std::ranges::find(names, name) == names.end())
+                throw bad_request("{}:{}: no terrain type '{}'{}", file.string(),
+                                  lines[i], name, suggestion(name, names));
+        if (seam.a == seam.b)
+            throw bad_request("{}:{}: a seam is between two types, and '{}' is one",
+                              file.string(), lines[i], seam.a);
+    }
+}
+
 }  // namespace
 
 genetic::LibraryOptions load_ttl(const fs::path& file) {
@@ -59,6 +77,7 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
     std::istringstream lines(read_text(file, kMostBytes));
     genetic::TypeOptions* type = nullptr;
     genetic::Seam* seam = nullptr;
+    std::vector<int> seam_lines;
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
@@ -79,6 +98,7 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
                 if (library.seams.size() == kMostSeams)
                     throw wrong(fmt::format("more than {} seams", kMostSeams));
                 seam = &library.seams.emplace_back();
+                seam_lines.push_back(number);
                 seam->a = trimmed(pair.substr(0, both));
                 seam->b = trimmed(pair.substr(both + 1));
                 continue;
@@ -101,8 +121,10 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
         const std::string name_of_value = trimmed(text.substr(0, equals)),
                           value = trimmed(text.substr(equals + 1));
         if (seam && name_of_value == "smoothness") {
-            seam->smoothness = std::atof(value.c_str());
-            if (!(seam->smoothness >= 0.0 && seam->smoothness <= 1.0))
+            char* end = nullptr;
+            seam->smoothness = std::strtod(value.c_str(), &end);
+            if (end == value.c_str() || *end != '\0' ||
+                !(seam->smoothness >= 0.0 && seam->smoothness <= 1.0))
                 throw wrong("smoothness goes from 0 to 1");
         }
         if (type && name_of_value == "color") {
@@ -129,6 +151,7 @@ genetic::LibraryOptions load_ttl(const fs::path& file) {
     }
     if (library.types.empty())
         throw bad_request("{}: no [Terrain Type: NAME] in it", file.string());
+    refuse_unknown(library, seam_lines, file);
     colour_types(library);
     return library;
 }

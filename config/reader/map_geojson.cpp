@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,11 @@ class Features {
         return found != json.end() && found->is_string() ? found->get<std::string>() : "";
     }
 
+    static bool is_line(const std::string& text) {
+        return !text.empty() && text.size() <= 64 &&
+               std::ranges::none_of(text, [](unsigned char c) { return c < ' '; });
+    }
+
     void add(const Json& feature) {
         ++number_;
         if (map.regions.size() >= kMostMapRegions)
@@ -59,10 +65,10 @@ class Features {
             feature.contains("properties") ? feature["properties"] : none;
         std::string type = text_of(properties, "type");
         if (type.empty()) type = text_of(properties, "terrain");
-        if (type.empty() || type.size() > 64)
+        if (!is_line(type))
             throw wrong("its properties need a 'type', a terrain type of the library");
         std::string name = text_of(properties, "name");
-        if (name.empty() || name.size() > 64) name = name_of_region(map, type);
+        if (!is_line(name)) name = name_of_region(map, type);
         const Json coordinates =
             geometry.contains("coordinates") ? geometry["coordinates"] : Json();
         genetic::Region region{std::move(name), std::move(type), {}};
@@ -71,6 +77,7 @@ class Features {
             add_polygon(coordinates, region);
         else
             for (const Json& polygon : coordinates) add_polygon(polygon, region);
+        if (region.outlines.empty()) throw wrong("has no outline");
         map.regions.push_back(std::move(region));
     }
 
@@ -91,7 +98,9 @@ class Features {
                 outline.push_back({x, y});
             }
             if (outline.size() < 4) throw wrong("a ring has at least four positions");
-            outline.pop_back();  // the first again
+            if (outline.front() != outline.back())
+                throw wrong("a ring ends where it begins");
+            outline.pop_back();
             region.outlines.push_back(std::move(outline));
         }
     }
@@ -106,11 +115,16 @@ genetic::MapOptions map_from_geojson(const std::filesystem::path& file) {
     const std::string name = file.string();
     Features features(name);
     features.map.window = {};
+    const std::string text = read_text(file, kMostMapBytes);
     Json json;
     try {
-        json = Json::parse(read_text(file, kMostMapBytes));
-    } catch (const Json::exception& error) {
-        throw bad_request("{}: {}", name, error.what());
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const std::size_t at = std::min(error.byte, text.size());
+        std::string why = error.what();
+        if (const auto dash = why.find(" - "); dash != why.npos) why.erase(0, dash + 3);
+        throw bad_request("{}:{}: no JSON: {}", name,
+                          1 + std::ranges::count(text.substr(0, at), '\n'), why);
     }
     features.read(json);
     return std::move(features.map);

@@ -47,12 +47,12 @@ genetic::MapOptions map_from_svg(const std::filesystem::path& file,
                                  const genetic::LibraryOptions& library) {
     genetic::MapOptions map;
     map.window = {0.0, 0.0, 1.0, 1.0};
-    std::size_t corners = 0, shape = 0;
+    std::size_t corners = 0, shape = 0;  // of the last region
     for (const SvgPath& path : svg_paths(open_source(file), kTolerance)) {
-        if (path.points.size() < 4 || path.points.front() != path.points.back()) {
-            shape = path.shape;
-            continue;  // a line, a label's stroke
-        }
+        // What is filled is closed, drawn so or not.
+        const bool closed = path.points.front() == path.points.back();
+        const std::size_t count = path.points.size() - (closed ? 1 : 0);
+        if (count < 3 || (!closed && !path.fill)) continue;  // a line, a label's stroke
         const std::string type = type_of(path, library);
         if (type.empty()) {
             if (!path.fill) continue;
@@ -62,11 +62,11 @@ genetic::MapOptions map_from_svg(const std::filesystem::path& file,
                 "colour in the library, or call the shape as its type",
                 file.string(), path.id.empty() ? "" : path.id + ": ", c[0], c[1], c[2]);
         }
-        corners += path.points.size();
+        corners += count;
         if (corners > kMostMapCorners)
             throw bad_request("{}: more than {} corners", file.string(), kMostMapCorners);
         genetic::Outline outline;
-        for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+        for (std::size_t i = 0; i < count; ++i)
             outline.push_back({path.points[i][0], 1.0 - path.points[i][1]});
         // Further outlines of one shape are its holes or islands.
         if (!map.regions.empty() && path.shape == shape) {

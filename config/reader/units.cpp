@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "config/reader/matching.h"
+#include "field/colour_words.h"
 #include "field/error.h"
 #include "field/utf8.h"
 #include "field/vec.h"
@@ -75,17 +76,11 @@ std::string line_of_text(const Value& value, std::size_t longest) {
     return *text;
 }
 
-// Without white, which is ground.
-constexpr Name<Colour::Rgb> kColours[] = {
-    {"black", {0, 0, 0}},       {"silver", {192, 192, 192}}, {"gray", {128, 128, 128}},
-    {"maroon", {128, 0, 0}},    {"red", {255, 0, 0}},        {"purple", {128, 0, 128}},
-    {"fuchsia", {255, 0, 255}}, {"green", {0, 128, 0}},      {"lime", {0, 255, 0}},
-    {"olive", {128, 128, 0}},   {"yellow", {255, 255, 0}},   {"navy", {0, 0, 128}},
-    {"blue", {0, 0, 255}},      {"teal", {0, 128, 128}},     {"aqua", {0, 255, 255}},
-    {"orange", {255, 165, 0}},
-};
-
-std::vector<std::string> colour_words() { return one_of(kColours).words(); }
+std::vector<std::string> colour_words() {
+    std::vector<std::string> words;
+    for (const ColourWord& word : kColourWords) words.emplace_back(word.name);
+    return words;
+}
 
 }  // namespace
 
@@ -189,7 +184,7 @@ bool Flag::read(const Value& value, Files&) const {
 
 Colour::Rgb Colour::read(const Value& value, Files&) const {
     const std::string text = line_of_text(value, 256);
-    if (!text.starts_with('#')) return kColours[named(value, colour_words())].value;
+    if (!text.starts_with('#')) return kColourWords[named(value, colour_words())].value;
     std::uint32_t rgb = 0;
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data() + 1, end, rgb, 16);

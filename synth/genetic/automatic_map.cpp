@@ -47,6 +47,15 @@ std::vector<std::vector<Point2>> voronoi(const std::vector<Point2>& sites, doubl
     return cells;
 }
 
+double area_of(const std::vector<Point2>& cell) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        const Point2 &a = cell[i], &b = cell[(i + 1) % cell.size()];
+        twice += a[0] * b[1] - b[0] * a[1];
+    }
+    return 0.5 * twice;
+}
+
 Point2 middle_of(const std::vector<Point2>& cell) {
     double area = 0.0, x = 0.0, y = 0.0;
     for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -81,7 +90,7 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
     const auto cells = voronoi(sites, width, depth);
 
     // Heights of a land of a few long waves say who lies high: neighbours then lie alike,
-    // and every type gets as many regions.
+    // and every type gets as much land.
     const auto lie = [&](const Point2& p) {
         double sum = 0.0;
         for (int k = 0; k < kWaves; ++k) {
@@ -103,10 +112,13 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
     MapOptions map;
     map.window = {0.0, 0.0, width, depth};
     map.regions.resize(sites.size());
-    for (std::size_t rank = 0; rank < order.size(); ++rank) {
-        const std::size_t site = order[rank];
+    double below = 0.0;  // area of the regions that lie lower, of them all
+    for (const std::size_t site : order) {
+        const double share = area_of(cells[site]) / (width * depth);
+        const auto rank = std::size_t((below + 0.5 * share) * double(types.size()));
+        below += share;
         const std::string& type =
-            library.types[types[rank * types.size() / order.size()]].name;
+            library.types[types[std::min(rank, types.size() - 1)]].name;
         map.regions[site] = {fmt::format("{} {}", type, site + 1), type, {cells[site]}};
     }
     std::erase_if(map.regions,

@@ -15,18 +15,54 @@ constexpr int kPopulation = 5, kCycles = 20;      // notes.md, Saunders 2006, 2
 constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
-constexpr double kRoom = 0.2;  // how far a part may stray, of its length
-constexpr double kCourse = 0.5, kOutside = 4.0;  // weights in the fitness
-constexpr int kTries = 6;
+constexpr double kCourse = 0.5, kOutside = 4.0;   // weights in the fitness
+constexpr double kBad = -3.0;  // a fitness that only what leaves its room has
+constexpr int kSofter = 6;     // tries to bend less and stay in it
+constexpr double kRounding = 1e-9;
+constexpr double kOfFree = 0.45;  // of the angle to the next boundary at a corner
 
 // Eq. IV.3; alpha is meant as its size (notes.md).
 double smooth(double turn, double s) {
     return std::sin((kPi - std::abs(turn)) * (kOffset - s));
 }
 
+// What a line along the x axis from 0 to 1 has around it. Convex: chords stay in it.
+struct Room {
+    double envelope;               // of the line's length
+    std::array<double, 2> slopes;  // most |y| over the distance from each end
+
+    double beyond(const Point2& p) const {
+        return std::abs(p[1]) -
+               std::min({envelope, slopes[0] * p[0], slopes[1] * (1.0 - p[0])});
+    }
+};
+// Of a part of a boundary. Parts are no steeper than kSteepest towards the whole, and
+// these kites no wider than 2 * 22 degrees at their ends: each then keeps to a stretch of
+// the whole's axis of its own, and no two parts can cross.
+constexpr Room kPart{0.2, {0.4, 0.4}};
+
+// The x axis from 0 to 1 as it lies elsewhere: turned and scaled by a complex number.
+struct Frame {
+    Point2 from, way;
+
+    Point2 operator()(const Point2& p) const {
+        return {from[0] + p[0] * way[0] - p[1] * way[1],
+                from[1] + p[0] * way[1] + p[1] * way[0]};
+    }
+    // Where this frame's axis lies seen from another one's.
+    Frame seen_from(const Frame& other) const {
+        const double square = other.way[0] * other.way[0] + other.way[1] * other.way[1];
+        const auto over = [&](const Point2& p) -> Point2 {
+            return {(p[0] * other.way[0] + p[1] * other.way[1]) / square,
+                    (p[1] * other.way[0] - p[0] * other.way[1]) / square};
+        };
+        return {over({from[0] - other.from[0], from[1] - other.from[1]}), over(way)};
+    }
+};
+
 // Points of a chromosome along the x axis from 0 to 1 (eq. IV.4).
-std::vector<Point2> decoded(const std::vector<double>& turns) {
-    std::vector<Point2> points = {{0.0, 0.0}};
+void decode(const std::vector<double>& turns, std::vector<Point2>& points) {
+    points.assign(1, {0.0, 0.0});
     double angle = 0.0;
     for (const double turn : turns) {
         angle += turn;
@@ -37,34 +73,30 @@ std::vector<Point2> decoded(const std::vector<double>& turns) {
     const double square = ex * ex + ey * ey;
     for (Point2& p : points)
         p = {(p[0] * ex + p[1] * ey) / square, (p[1] * ex - p[0] * ey) / square};
-    return points;
 }
 
 // One run's task: along the x axis from 0 to 1.
 struct Run {
     double smoothness;
-    double envelope;               // of its length
-    std::array<double, 2> slopes;  // most |y| over the distance from each end
+    // Its own, and those of all that it is a part of, as they lie seen from there.
+    std::vector<std::pair<Room, Frame>> rooms;
     std::array<double, 2> course;
-    std::array<double, 2> course_weight;
-
-    double room(double x) const {
-        return std::min({envelope, slopes[0] * x, slopes[1] * (1.0 - x)});
-    }
+    std::array<bool, 2> has_course;
 };
 
 double turn_at(const std::vector<Point2>& p, std::size_t i, std::size_t step) {
-    const double a = std::atan2(p[i][1] - p[i - step][1], p[i][0] - p[i - step][0]),
-                 b = std::atan2(p[i + step][1] - p[i][1], p[i + step][0] - p[i][0]);
-    return std::remainder(b - a, 2.0 * kPi);
+    const double ax = p[i][0] - p[i - step][0], ay = p[i][1] - p[i - step][1],
+                 bx = p[i + step][0] - p[i][0], by = p[i + step][1] - p[i][1];
+    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
-double fitness(const std::vector<double>& turns, const Run& run) {
-    double angle = 0.0;
-    for (const double turn : turns)
-        if (std::abs(angle += turn) > kSteepest) return -1e3;
-    const std::vector<Point2> p = decoded(turns);
-    // At several scales, so that it bends as much from far and from near.
+double fitness(const std::vector<Point2>& p, const Run& run) {
+    static const double kSteep = std::tan(kSteepest);
+    for (std::size_t i = 1; i < p.size(); ++i)
+        if (!(std::abs(p[i][1] - p[i - 1][1]) <=
+              kSteep * (p[i][0] - p[i - 1][0]) + kRounding))
+            return -1e3;
+    // At several scales, so that it bends as much from far and from near (VI.1.2).
     double sum = 0.0;
     int scales = 0;
     for (std::size_t step = 1; 2 * step < p.size(); step *= 2, ++scales) {
@@ -74,17 +106,18 @@ double fitness(const std::vector<double>& turns, const Run& run) {
             of_scale += smooth(turn_at(p, i, step), run.smoothness);
         sum += of_scale / std::max(1, count);
     }
-    double outside = 0.0;
-    for (std::size_t i = 1; i + 1 < p.size(); ++i)
-        outside = std::max(outside, std::abs(p[i][1]) - run.room(p[i][0]));
+    double beyond = 0.0;
+    for (const auto& [room, frame] : run.rooms)
+        for (std::size_t i = 1; i + 1 < p.size(); ++i)
+            beyond = std::max(beyond, room.beyond(frame(p[i])));
     const auto off = [&](std::size_t end) {
+        if (!run.has_course[end]) return 0.0;
         const Point2 &a = end == 0 ? p[0] : p[p.size() - 2],
                      &b = end == 0 ? p[1] : p.back();
-        return run.course_weight[end] *
-               std::abs(std::atan2(b[1] - a[1], b[0] - a[0]) - run.course[end]);
+        return std::abs(std::atan2(b[1] - a[1], b[0] - a[0]) - run.course[end]);
     };
     return sum / std::max(1, scales) - kCourse * (off(0) + off(1)) -
-           (outside > 0.0 ? kOutside + outside : 0.0);
+           (beyond > kRounding ? kOutside + beyond : 0.0);
 }
 
 class Dice {
@@ -108,8 +141,10 @@ struct Chromosome {
 std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     Dice dice(seed);
     std::vector<Chromosome> population;
+    std::vector<Point2> points;
     const auto add = [&](std::vector<double> turns) {
-        const double value = fitness(turns, run);
+        decode(turns, points);
+        const double value = fitness(points, run);
         population.push_back({std::move(turns), value});
     };
     const auto rank = [&] {
@@ -117,8 +152,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
         population.resize(std::min<std::size_t>(population.size(), kPopulation));
     };
     const auto n = std::size_t(genes);
-    add(std::vector<double>(n, 0.0));  // the straight line, which keeps to all limits
-    for (int i = 1; i < kPopulation; ++i) {
+    for (int i = 0; i < kPopulation; ++i) {
         std::vector<double> turns(n);
         double angle = 0.0;
         const double most = kSteepest * dice.unit();
@@ -126,7 +160,12 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
             const double next = most * dice.signed_unit();
             turn = next - angle, angle = next;
         }
-        add(std::move(turns));
+        add(turns);
+        for (int k = 0; k < kSofter && population.back().fitness < kBad; ++k) {
+            for (double& turn : turns) turn *= 0.5;
+            population.pop_back();
+            add(turns);
+        }
     }
     rank();
     for (int cycle = 0; cycle < kCycles; ++cycle) {
@@ -150,31 +189,66 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
         }
         rank();
     }
-    std::vector<Point2> points = decoded(population.front().turns);
+    // The straight line keeps to all limits. It is not among the others, for from S = 0.6
+    // on none is as smooth, and every boundary would stay straight.
+    if (population.front().fitness < kBad) population.front().turns.assign(n, 0.0);
+    decode(population.front().turns, points);
     points.front() = {0.0, 0.0}, points.back() = {1.0, 0.0};
     return points;
 }
 
-void refine(const Point2& a, const Point2& b, Run run, double segment, std::uint64_t seed,
-            std::vector<Point2>& line) {
-    const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
-    const double parts = length / segment;
-    if (!(parts > 1.0)) {
-        line.push_back(b);
-        return;
+class Refinement {
+  public:
+    Refinement(const StraightBoundary& boundary, std::vector<Point2>& line)
+        : boundary_(boundary), line_(line) {}
+
+    // Appends what replaces the straight line from the last point to `to`.
+    void add(const Point2& to, const Room& room, const std::array<double, 2>& course,
+             const std::array<bool, 2>& has_course, std::uint64_t seed) {
+        const Point2 from = line_.back();
+        const Frame own{from, {to[0] - from[0], to[1] - from[1]}};
+        const double length = std::hypot(own.way[0], own.way[1]);
+        if (!(length > boundary_.segment) || !shows(from, to, room.envelope * length)) {
+            line_.push_back(to);
+            return;
+        }
+        around_.emplace_back(room, own);
+        Run run{boundary_.smoothness, {}, course, has_course};
+        for (const auto& [other, frame] : around_)
+            run.rooms.emplace_back(other, own.seen_from(frame));
+        for (std::size_t end = 0; end < 2; ++end) {
+            const double most =
+                std::min(0.9 * kSteepest, std::atan(0.9 * room.slopes[end]));
+            run.course[end] = std::clamp(course[end], -most, most);
+        }
+        const double parts = std::ceil(length / boundary_.segment);
+        const std::vector<Point2> points =
+            evolved(run, int(std::clamp(parts, 2.0, double(kGenes))), seed);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            // What is left of the course at the ends, when the part has turned there.
+            const double turned = std::atan2(points[i + 1][1] - points[i][1],
+                                             points[i + 1][0] - points[i][0]);
+            const bool first = i == 0, last = i + 2 == points.size();
+            add(last ? to : own(points[i + 1]), kPart,
+                {course[0] - turned, course[1] - turned},
+                {first && has_course[0], last && has_course[1]}, hash_of({seed, i}));
+        }
+        around_.pop_back();
     }
-    const int genes = std::clamp(int(std::ceil(parts)), 2, kGenes);
-    std::vector<Point2> points = evolved(run, genes, seed);
-    for (Point2& p : points)
-        p = {a[0] + p[0] * dx - p[1] * dy, a[1] + p[0] * dy + p[1] * dx};
-    points.front() = a, points.back() = b;
-    // Parts keep to diamonds that do not meet, so that they cannot cross.
-    run.envelope = std::min(run.envelope, kRoom);
-    run.slopes = {2.0 * kRoom, 2.0 * kRoom};
-    run.course_weight = {0.0, 0.0};
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        refine(points[i], points[i + 1], run, segment, hash_of({seed, i}), line);
-}
+
+  private:
+    bool shows(const Point2& a, const Point2& b, double stray) const {
+        const auto& [west, south, east, north] = boundary_.window;
+        return std::max(a[0], b[0]) + stray >= west &&
+               std::min(a[0], b[0]) - stray <= east &&
+               std::max(a[1], b[1]) + stray >= south &&
+               std::min(a[1], b[1]) - stray <= north;
+    }
+
+    const StraightBoundary& boundary_;
+    std::vector<Point2>& line_;
+    std::vector<std::pair<Room, Frame>> around_;  // the whole, its part, its part's part
+};
 
 double cross(const Point2& o, const Point2& a, const Point2& b) {
     return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
@@ -191,7 +265,7 @@ bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
 
 }  // namespace
 
-bool crosses_itself(const std::vector<Point2>& line) {
+std::optional<Point2> crossing_of(const std::vector<Point2>& line) {
     // Segments by where they begin from west to east, each against those that begin
     // before it ends.
     const std::size_t n = line.size() < 2 ? 0 : line.size() - 1;
@@ -207,34 +281,28 @@ bool crosses_itself(const std::vector<Point2>& line) {
             const std::size_t j = order[l];
             const std::size_t apart = i > j ? i - j : j - i;
             if (apart == 1 || (closed && apart == n - 1)) continue;
-            if (meet(line[i], line[i + 1], line[j], line[j + 1])) return true;
+            const Point2 &a = line[i], &b = line[i + 1], &c = line[j], &d = line[j + 1];
+            if (!meet(a, b, c, d)) continue;
+            const double of_c = cross(a, b, c), of_d = cross(a, b, d);
+            const double t = of_c == of_d ? 0.0 : of_c / (of_c - of_d);
+            return Point2{c[0] + t * (d[0] - c[0]), c[1] + t * (d[1] - c[1])};
         }
     }
-    return false;
+    return {};
 }
 
 std::vector<Point2> refined(const StraightBoundary& boundary, std::uint64_t seed) {
     const double length =
         std::hypot(boundary.to[0] - boundary.from[0], boundary.to[1] - boundary.from[1]);
-    std::vector<Point2> line;
-    if (!(length > boundary.segment)) return {boundary.from, boundary.to};
-    // Parts stray too, all of them together by less than a quarter more.
-    double envelope = 0.8 * boundary.envelope / length;
-    for (int attempt = 0; attempt < kTries; ++attempt, envelope *= 0.5) {
-        Run run{boundary.smoothness, envelope, {}, boundary.course, {1.0, 1.0}};
-        for (std::size_t end = 0; end < 2; ++end) {
-            run.slopes[end] =
-                0.7 * std::tan(std::min(0.5 * boundary.free_at[end], 70.0 * kPi / 180.0));
-            const double most = std::atan(0.9 * run.slopes[end]);
-            run.course[end] = std::clamp(run.course[end], -most, most);
-            if (boundary.course[end] == 0.0) run.course_weight[end] = 0.0;
-        }
-        line = {boundary.from};
-        refine(boundary.from, boundary.to, run, boundary.segment,
-               hash_of({seed, std::uint64_t(attempt)}), line);
-        if (!crosses_itself(line)) return line;
-    }
-    return {boundary.from, boundary.to};
+    std::vector<Point2> line = {boundary.from};
+    Room room{length > 0.0 ? boundary.envelope / length : 0.0, {}};
+    for (std::size_t end = 0; end < 2; ++end)
+        room.slopes[end] =
+            std::tan(std::min(kOfFree * boundary.free_at[end], 70.0 * kPi / 180.0));
+    Refinement(boundary, line)
+        .add(boundary.to, room, boundary.course,
+             {boundary.course[0] != 0.0, boundary.course[1] != 0.0}, seed);
+    return line;
 }
 
 }  // namespace cydonia::genetic

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace cydonia::genetic {
@@ -20,6 +22,9 @@ struct StraightBoundary {
     // can meet without a corner.
     std::array<double, 2> course{};
     double segment = 1.0;  // what it is made of are no longer than that
+    // West, south, east and north of what shows: parts beyond stay straight.
+    std::array<double, 4> window{-kFar, -kFar, kFar, kFar};
+    static constexpr double kFar = std::numeric_limits<double>::infinity();
 };
 
 // Boundary refinement by the thesis' genetic algorithm (section IV.3.1): genes are the
@@ -30,7 +35,10 @@ struct StraightBoundary {
 // exact.
 std::vector<Point2> refined(const StraightBoundary& boundary, std::uint64_t seed);
 
-// Whether any two segments that do not follow each other meet.
-bool crosses_itself(const std::vector<Point2>& line);
+// Where two segments that do not follow each other meet.
+std::optional<Point2> crossing_of(const std::vector<Point2>& line);
+inline bool crosses_itself(const std::vector<Point2>& line) {
+    return crossing_of(line).has_value();
+}
 
 }  // namespace cydonia::genetic

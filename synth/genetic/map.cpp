@@ -28,15 +28,18 @@ int type_called(const LibraryOptions& library, const std::string& name) {
 void fill(const Drawn& drawn, const Extent& extent, const auto& put) {
     std::vector<std::vector<double>> crossings(std::size_t(extent.rows));
     const double s = extent.spacing, depth = extent.depth();
+    // The first of `cells` whose middle is not before `at`.
+    const auto first_from = [](double at, int cells) {
+        return int(std::clamp(std::ceil(at), 0.0, double(cells)));
+    };
     for (const auto& outline : drawn.outlines)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
             // Rows from the north.
             a[1] = (depth - a[1]) / s - 0.5, b[1] = (depth - b[1]) / s - 0.5;
             if (a[1] > b[1]) std::swap(a, b);
-            const int first = int(std::ceil(std::max(0.0, a[1]))),
-                      last = int(std::ceil(std::min(double(extent.rows), b[1])));
-            for (int row = first; row < last; ++row)
+            const int last = first_from(b[1], extent.rows);
+            for (int row = first_from(a[1], extent.rows); row < last; ++row)
                 crossings[std::size_t(row)].push_back(
                     a[0] + (row - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
         }
@@ -44,10 +47,10 @@ void fill(const Drawn& drawn, const Extent& extent, const auto& put) {
         auto& at = crossings[std::size_t(row)];
         std::ranges::sort(at);
         for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
-            const int first = std::max(0, int(std::ceil(at[i] / s - 0.5))),
-                      last =
-                          std::min(extent.columns, int(std::ceil(at[i + 1] / s - 0.5)));
-            for (int column = first; column < last; ++column) put(column, row);
+            const int last = first_from(at[i + 1] / s - 0.5, extent.columns);
+            for (int column = first_from(at[i] / s - 0.5, extent.columns); column < last;
+                 ++column)
+                put(column, row);
         }
     }
 }
@@ -197,6 +200,16 @@ void drop_specks(Field<std::uint8_t>& types) {
         }
 }
 
+// "'a', 'b' and 7 more"
+std::string some_of(const std::vector<std::string>& all) {
+    constexpr std::size_t kMost = 12;
+    const std::size_t shown = std::min(all.size(), kMost);
+    const auto more =
+        all.size() > shown ? fmt::format(" and {} more", all.size() - shown) : "";
+    return fmt::format("{}{}", fmt::join(all.begin(), all.begin() + long(shown), ", "),
+                       more);
+}
+
 // Which of the drawn regions each piece is of, most of it.
 void name_pieces(Pieces& pieces, const Field<int>& owners, const MapOptions& map,
                  const LibraryOptions& library, Progress& progress) {
@@ -227,15 +240,20 @@ void name_pieces(Pieces& pieces, const Field<int>& owners, const MapOptions& map
                 type_called(library, map.regions[std::size_t(owner)].type) == found.type;
         if (drawn > 1) merged.push_back(fmt::format("{} into '{}'", drawn, found.name));
     }
-    int vanished = 0, split = 0;
-    for (const int n : times) vanished += n == 0, split += n > 1;
+    std::vector<std::string> vanished, split;
+    for (std::size_t r = 0; r < times.size(); ++r) {
+        if (times[r] == 1) continue;
+        const std::string quoted = fmt::format("'{}'", map.regions[r].name);
+        (times[r] == 0 ? vanished : split).push_back(quoted);
+    }
     if (!merged.empty())
-        progress.note(fmt::format("map: neighbours of one type are one region: {}",
-                                  fmt::join(merged, ", ")));
-    if (vanished > 0)
-        progress.note(
-            fmt::format("map: {} regions have no cell of their own here", vanished));
-    if (split > 0) progress.note(fmt::format("map: {} regions fall apart here", split));
+        progress.note("map: neighbours of one type are one region: " + some_of(merged));
+    if (!vanished.empty())
+        progress.note(fmt::format("map: {} regions have no cell of their own here: {}",
+                                  vanished.size(), some_of(vanished)));
+    if (!split.empty())
+        progress.note(fmt::format("map: {} regions fall apart here: {}", split.size(),
+                                  some_of(split)));
 }
 
 }  // namespace

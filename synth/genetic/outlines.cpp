@@ -13,6 +13,8 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr double kSame = 1e-6;  // of the terrain's larger side: corners so near are one
+constexpr double kFlat = 1e-9;  // an outline's area, of its sides' squares
+constexpr double kFarthest = 1e9;  // a corner, of the terrain's larger side
 // Of the room to its neighbours, that a boundary may use.
 constexpr double kClear = 0.45;
 
@@ -96,19 +98,22 @@ void refuse_bad(const Loop& loop, const Corners& corners, const std::string& nam
             "region '{}' has an outline of {} corners; at least 3 are needed", name,
             loop.size());
     std::vector<Point2> line;
-    double area = 0.0;
+    double area = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Point2 &a = corners[loop[i]], &b = corners[loop[(i + 1) % loop.size()]];
-        area += a[0] * b[1] - b[0] * a[1];
+        // Seen from its first corner, so that far from the window nothing is lost.
+        const Point2& o = corners[loop[0]];
+        area += (a[0] - o[0]) * (b[1] - o[1]) - (b[0] - o[0]) * (a[1] - o[1]);
+        squares += (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
         line.push_back(a);
     }
     line.push_back(line.front());
-    if (crosses_itself(line))
+    if (const auto place = crossing_of(line))
         throw bad_request(
             "region '{}' crosses itself near {:.4g} m east, {:.4g} m north; draw it as "
             "outlines that do not",
-            name, corners[loop[0]][0], corners[loop[0]][1]);
-    if (area == 0.0)
+            name, (*place)[0], (*place)[1]);
+    if (std::abs(area) <= kFlat * squares)
         throw bad_request("region '{}' has an outline that encloses nothing", name);
 }
 
@@ -165,12 +170,20 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
     std::vector<std::vector<Loop>> raw;
     for (const Region& region : map.regions) {
         raw.emplace_back();
+        if (region.outlines.empty())
+            throw bad_request("region '{}' has no outline", region.name);
         for (const Outline& outline : region.outlines) {
             Loop loop;
             for (const auto& [x, y] : outline) {
-                const int corner =
-                    corners_.index({(x - west) / (east - west) * extent.width(),
-                                    (y - south) / (north - south) * extent.depth()});
+                const Point2 at{(x - west) / (east - west) * extent.width(),
+                                (y - south) / (north - south) * extent.depth()};
+                if (!(std::max(std::abs(at[0]), std::abs(at[1])) <
+                      kFarthest / kSame * same_))
+                    throw bad_request(
+                        "region '{}' reaches {:g} windows beyond the window; make the "
+                        "window larger",
+                        region.name, kFarthest);
+                const int corner = corners_.index(at);
                 if (loop.empty() || loop.back() != corner) loop.push_back(corner);
             }
             while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
@@ -304,7 +317,8 @@ std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& li
                 kClear * clearance(task.edge, std::min(drawn, 0.3 * length) / kClear),
             .free_at = {free_angle(task.edge, first), free_angle(task.edge, second)},
             .course = {course(task.edge, first), course(task.edge, second)},
-            .segment = extent_.spacing};
+            .segment = extent_.spacing,
+            .window = {0.0, 0.0, extent_.width(), extent_.depth()}};
         // By its place, so that a change elsewhere leaves it as it is.
         const auto bits = [](double v) {
             return std::uint64_t(std::llround(v * 1000.0));
