@@ -255,6 +255,21 @@ TEST_F(Docs, SketchingReads) {
     EXPECT_EQ(examples.size(), 7u);
 }
 
+TEST_F(Docs, LandByMapReads) {
+    std::string kinds = golden_text("kinds.toml");
+    for (auto at = kinds.find("high hills"); at != kinds.npos;
+         at = kinds.find("high hills"))
+        kinds.replace(at, 10, "mountains");
+    std::ofstream(folder_ / "lands.toml") << kinds;
+    std::ofstream(folder_ / "island.svg")
+        << "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>"
+           "<rect id='plain' width='9' height='9'/></svg>";
+    const auto examples = examples_of(page("land-by-map.md"));
+    for (const std::string& example : examples)
+        EXPECT_EQ(complaint(example), "") << example;
+    EXPECT_EQ(examples.size(), 3u);
+}
+
 TEST_F(Docs, CamerasAndColourRead) {
     const std::string land =
         "[[terrain.stage]]\nmethod = \"distance\"\ngroup = [{ peaks = { count = 3 } }]\n";
