@@ -16,8 +16,9 @@ constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
 constexpr double kCourse = 0.5, kOutside = 4.0;   // weights in the fitness
-constexpr double kBad = -3.0;  // a fitness that only what leaves its room has
-constexpr int kSofter = 6;     // tries to bend less and stay in it
+constexpr double kBad = -3.0;       // a fitness that only what leaves its room has
+constexpr int kSofter = 6;          // tries to bend less and stay in it
+constexpr double kLeastBent = 0.3;  // at the start, of the absolute angle limit
 constexpr double kRounding = 1e-9;
 constexpr double kOfFree = 0.45;  // of the angle to the next boundary at a corner
 
@@ -155,7 +156,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     for (int i = 0; i < kPopulation; ++i) {
         std::vector<double> turns(n);
         double angle = 0.0;
-        const double most = kSteepest * dice.unit();
+        const double most = kSteepest * (kLeastBent + (1.0 - kLeastBent) * dice.unit());
         for (double& turn : turns) {
             const double next = most * dice.signed_unit();
             turn = next - angle, angle = next;

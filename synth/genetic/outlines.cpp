@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "field/error.h"
 #include "field/parallel.h"
 #include "field/random.h"
+#include "synth/genetic/segment_grid.h"
 
 namespace cydonia::genetic {
 namespace {
@@ -133,6 +135,14 @@ double smoothness_of(const Sides& sides, const MapOptions& map,
     return map.smoothness;
 }
 
+// Neighbours of one type are one region, and have no boundary.
+bool is_within(const Sides& sides, const MapOptions& map) {
+    return sides.regions.size() > 1 && std::ranges::all_of(sides.regions, [&](int r) {
+               return map.regions[std::size_t(r)].type ==
+                      map.regions[std::size_t(sides.regions.front())].type;
+           });
+}
+
 // The map's edges, with what lies around them.
 class Mesh {
   public:
@@ -154,12 +164,8 @@ class Mesh {
     std::vector<std::vector<Loop>> loops_;  // of each region
     std::map<Edge, Sides> edges_;
     std::map<int, std::vector<int>> neighbours_;  // corners along edges
-    struct Placed {
-        double west;  // of its western end
-        Edge edge;
-    };
-    std::vector<Placed> by_west_;
-    double longest_ = 0.0;  // edge, west to east
+    std::vector<Edge> in_grid_;
+    std::optional<SegmentGrid> grid_;
 };
 
 Mesh::Mesh(const MapOptions& map, const Extent& extent)
@@ -206,13 +212,15 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
             }
         }
     }
+    if (!map.refine) return;
+    std::vector<SegmentGrid::Segment> segments;
     for (const auto& entry : edges_) {
-        const double a = corners_[entry.first.first][0],
-                     b = corners_[entry.first.second][0];
-        by_west_.push_back({std::min(a, b), entry.first});
-        longest_ = std::max(longest_, std::abs(a - b));
+        in_grid_.push_back(entry.first);
+        segments.emplace_back(corners_[entry.first.first], corners_[entry.first.second]);
     }
-    std::ranges::stable_sort(by_west_, {}, &Placed::west);
+    // What is farther away than that is not seen.
+    const double w = extent.width(), d = extent.depth();
+    grid_.emplace(std::move(segments), std::array{-w, -d, 2.0 * w, 2.0 * d});
 }
 
 bool Mesh::on_frame(const Edge& edge) const {
@@ -228,18 +236,18 @@ bool Mesh::on_frame(const Edge& edge) const {
 // To the nearest edge that has no corner in common, `most` if none is nearer.
 double Mesh::clearance(const Edge& edge, double most) const {
     const Point2 &a = corners_[edge.first], &b = corners_[edge.second];
-    const auto begin = std::ranges::lower_bound(
-        by_west_, std::min(a[0], b[0]) - most - longest_, {}, &Placed::west);
-    for (auto i = begin; i != by_west_.end() && i->west <= std::max(a[0], b[0]) + most;
-         ++i) {
-        const Edge& other = i->edge;
+    const std::array<double, 4> around = {
+        std::min(a[0], b[0]) - most, std::min(a[1], b[1]) - most,
+        std::max(a[0], b[0]) + most, std::max(a[1], b[1]) + most};
+    grid_->near(around, [&](std::size_t i) {
+        const Edge& other = in_grid_[i];
         if (other.first == edge.first || other.first == edge.second ||
             other.second == edge.first || other.second == edge.second)
-            continue;
-        const Point2 &c = corners_[other.first], &d = corners_[other.second];
+            return;
+        const auto& [c, d] = (*grid_)[i];
         most = std::min({most, distance_to(a, c, d), distance_to(b, c, d),
                          distance_to(c, a, b), distance_to(d, a, b)});
-    }
+    });
     return most;
 }
 
@@ -303,7 +311,7 @@ std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& li
         Task& task = tasks[std::size_t(i)];
         const auto [first, second] = task.edge;
         const Point2 &a = corners_[first], &b = corners_[second];
-        if (on_frame(task.edge)) {
+        if (on_frame(task.edge) || is_within(*task.sides, map)) {
             task.line = {a, b};
             return;
         }
