@@ -15,8 +15,9 @@ constexpr int kPopulation = 5, kCycles = 20;      // notes.md, Saunders 2006, 2
 constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
-constexpr double kCourse = 0.5, kOutside = 4.0;   // weights in the fitness
-constexpr double kBad = -3.0;       // a fitness that only what leaves its room has
+constexpr double kCourse = 0.5;                   // weight in the fitness
+// What leaves its room is no fitter than the first, all else is fitter.
+constexpr double kBad = -10.0, kWorst = -1e3;
 constexpr int kSofter = 6;          // tries to bend less and stay in it
 constexpr double kLeastBent = 0.3;  // at the start, of the absolute angle limit
 constexpr double kRounding = 1e-9;
@@ -91,34 +92,38 @@ double turn_at(const std::vector<Point2>& p, std::size_t i, std::size_t step) {
     return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
-double fitness(const std::vector<Point2>& p, const Run& run) {
+// Of a chromosome and its points.
+double fitness(const std::vector<double>& turns, const std::vector<Point2>& p,
+               const Run& run) {
     static const double kSteep = std::tan(kSteepest);
     for (std::size_t i = 1; i < p.size(); ++i)
         if (!(std::abs(p[i][1] - p[i - 1][1]) <=
               kSteep * (p[i][0] - p[i - 1][0]) + kRounding))
-            return -1e3;
-    // At several scales, so that it bends as much from far and from near (VI.1.2).
+            return kWorst;
+    double beyond = 0.0;
+    for (const auto& [room, frame] : run.rooms)
+        for (std::size_t i = 1; i + 1 < p.size(); ++i)
+            beyond = std::max(beyond, room.beyond(frame(p[i])));
+    if (beyond > kRounding) return std::max(kWorst, kBad - beyond);
+    // At several scales, so that it bends as much from far and from near (VI.1.2); the
+    // finest one's turns are the genes.
     double sum = 0.0;
     int scales = 0;
     for (std::size_t step = 1; 2 * step < p.size(); step *= 2, ++scales) {
         double of_scale = 0.0;
         int count = 0;
         for (std::size_t i = step; i + step < p.size(); i += step, ++count)
-            of_scale += smooth(turn_at(p, i, step), run.smoothness);
+            of_scale +=
+                smooth(step == 1 ? turns[i] : turn_at(p, i, step), run.smoothness);
         sum += of_scale / std::max(1, count);
     }
-    double beyond = 0.0;
-    for (const auto& [room, frame] : run.rooms)
-        for (std::size_t i = 1; i + 1 < p.size(); ++i)
-            beyond = std::max(beyond, room.beyond(frame(p[i])));
     const auto off = [&](std::size_t end) {
         if (!run.has_course[end]) return 0.0;
         const Point2 &a = end == 0 ? p[0] : p[p.size() - 2],
                      &b = end == 0 ? p[1] : p.back();
         return std::abs(std::atan2(b[1] - a[1], b[0] - a[0]) - run.course[end]);
     };
-    return sum / std::max(1, scales) - kCourse * (off(0) + off(1)) -
-           (beyond > kRounding ? kOutside + beyond : 0.0);
+    return sum / std::max(1, scales) - kCourse * (off(0) + off(1));
 }
 
 class Dice {
@@ -145,7 +150,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     std::vector<Point2> points;
     const auto add = [&](std::vector<double> turns) {
         decode(turns, points);
-        const double value = fitness(points, run);
+        const double value = fitness(turns, points, run);
         population.push_back({std::move(turns), value});
     };
     const auto rank = [&] {
@@ -162,7 +167,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
             turn = next - angle, angle = next;
         }
         add(turns);
-        for (int k = 0; k < kSofter && population.back().fitness < kBad; ++k) {
+        for (int k = 0; k < kSofter && population.back().fitness <= kBad; ++k) {
             for (double& turn : turns) turn *= 0.5;
             population.pop_back();
             add(turns);
@@ -192,7 +197,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     }
     // The straight line keeps to all limits. It is not among the others, for from S = 0.6
     // on none is as smooth, and every boundary would stay straight.
-    if (population.front().fitness < kBad) population.front().turns.assign(n, 0.0);
+    if (population.front().fitness <= kBad) population.front().turns.assign(n, 0.0);
     decode(population.front().turns, points);
     points.front() = {0.0, 0.0}, points.back() = {1.0, 0.0};
     return points;
