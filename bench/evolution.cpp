@@ -77,8 +77,8 @@ int main(int argc, char** argv) {
             for (const auto& [name, value] : land.figures)
                 fmt::print("  {:<44} {:7.3f}\n", name, value);
             if (argc > 5)
-                write_geotiff(fmt::format("{}/{}.tif", argv[5],
-                                          texture ? "texture" : "evolution"),
-                              land);
+                write_geotiff(
+                    fmt::format("{}/{}.tif", argv[5], texture ? "texture" : "evolution"),
+                    land);
         }
 }

@@ -17,9 +17,9 @@
 namespace cydonia {
 
 // The list of methods: one alternative each, one folder each.
-using StageOptions = std::variant<distance::Options, pareidolia::Options, dem::Options,
-                                  texture::Options, detail::Options, sketch::Options,
-                                  genetic::Options>;
+using StageOptions =
+    std::variant<distance::Options, pareidolia::Options, dem::Options, texture::Options,
+                 detail::Options, sketch::Options, genetic::Options>;
 
 inline Terrain run(const StageOptions& options, const Terrain& terrain,
                    const Context& context) {

@@ -43,8 +43,7 @@ void read_library(Table& t, Options& o) {
         std::size_t number = 0;
         for (const auto& type : o.library.types)
             for (const auto& example : type.examples)
-                t.shipped(fmt::format("library[{}]", number++),
-                          example.source.path);
+                t.shipped(fmt::format("library[{}]", number++), example.source.path);
     });
 }
 

@@ -25,7 +25,8 @@ inline std::string golden_text(const std::string& name) {
 class SceneFile : public testing::Test {
   protected:
     SceneFile() {
-        for (const char* name : {"ridges.svg", "profile.png", "profile.csv", "kinds.toml"})
+        for (const char* name :
+             {"ridges.svg", "profile.png", "profile.csv", "kinds.toml"})
             std::filesystem::copy_file(golden_folder() / name, folder_ / name);
     }
 
