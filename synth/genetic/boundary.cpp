@@ -272,18 +272,25 @@ bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
 }  // namespace
 
 std::optional<Point2> crossing_of(const std::vector<Point2>& line) {
-    // Segments by where they begin from west to east, each against those that begin
-    // before it ends.
+    // Segments by where they begin, each against those that begin before it ends; along
+    // the axis that they extend less along.
     const std::size_t n = line.size() < 2 ? 0 : line.size() - 1;
-    const auto west = [&](std::size_t i) { return std::min(line[i][0], line[i + 1][0]); };
+    Point2 sum{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            sum[k] += std::abs(line[i + 1][k] - line[i][k]);
+    const std::size_t axis = sum[0] <= sum[1] ? 0 : 1;
+    const auto begin = [&](std::size_t i) {
+        return std::min(line[i][axis], line[i + 1][axis]);
+    };
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, west);
+    std::ranges::sort(order, {}, begin);
     const bool closed = n > 2 && line.front() == line.back();
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = order[k];
-        const double east = std::max(line[i][0], line[i + 1][0]);
-        for (std::size_t l = k + 1; l < n && west(order[l]) <= east; ++l) {
+        const double end = std::max(line[i][axis], line[i + 1][axis]);
+        for (std::size_t l = k + 1; l < n && begin(order[l]) <= end; ++l) {
             const std::size_t j = order[l];
             const std::size_t apart = i > j ? i - j : j - i;
             if (apart == 1 || (closed && apart == n - 1)) continue;

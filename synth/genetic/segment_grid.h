@@ -20,7 +20,8 @@ class SegmentGrid {
     SegmentGrid(std::vector<Segment> segments, const std::array<double, 4>& box);
 
     const Segment& operator[](std::size_t i) const { return segments_[i]; }
-    // visit(index) for all that may be in a box, some of them several times.
+    // visit(index) for all that may be in a box, some of them several times, as long as
+    // it returns true.
     template <class Visit>
     void near(const std::array<double, 4>& box, const Visit& visit) const {
         const auto [west, east] = span(box[0], box[2], 0);
@@ -28,7 +29,7 @@ class SegmentGrid {
         for (int row = south; row <= north; ++row)
             for (int column = west; column <= east; ++column)
                 for (const std::uint32_t i : cells_[std::size_t(row * side_ + column)])
-                    visit(std::size_t(i));
+                    if (!visit(std::size_t(i))) return;
     }
 
   private:
