@@ -3,21 +3,27 @@
 //
 //     evolution LIBRARY MAP SAMPLES SPACING [FOLDER]
 //
-// Three seeds each; the last land of each optimiser goes to FOLDER as a GeoTIFF.
+// Three seeds each. Into FOLDER go GeoTIFFs: every land (texture-1.tif), of each the
+// largest square within each type (texture-1-hills.tif), and for each type its largest
+// sample (hills.tif) and squares as large out of its others (hills-part-1.tif).
 
 #include <fmt/core.h>
 
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/land_figures.h"
 #include "bench/measure.h"
 #include "config/reader/library.h"
 #include "config/reader/map.h"
 #include "field/dem.h"
+#include "field/random.h"
 #include "synth/genetic/genetic.h"
+#include "synth/genetic/samples.h"
 
 using namespace cydonia;
 using namespace cydonia::genetic;
@@ -45,6 +51,65 @@ class StepTimes final : public Progress {
     bench::Stopwatch watch_;
     std::vector<std::pair<std::string, double>> steps_;
 };
+
+void write(const std::string& file, Field<float> heights, double spacing) {
+    Terrain terrain;
+    terrain.spacing = spacing, terrain.heights = std::move(heights);
+    write_geotiff(file, terrain);
+}
+
+// The largest square within a type's mask: its north-west corner and side.
+std::array<int, 3> largest_square(const Field<float>& mask) {
+    Field<int> sides(mask.width(), mask.height());  // of the square that ends there
+    std::array<int, 3> best{0, 0, 0};
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x) {
+            if (mask(x, y) == 0.0f) continue;
+            int& side = sides(x, y) = 1;
+            if (x > 0 && y > 0)
+                side += std::min({sides(x - 1, y), sides(x, y - 1), sides(x - 1, y - 1)});
+            if (side > best[2]) best = {x - side + 1, y - side + 1, side};
+        }
+    return best;
+}
+
+void write_parts(const std::string& folder, const std::string& name, const Terrain& land,
+                 const LevelSamples& samples, const LibraryOptions& library) {
+    constexpr int kParts = 6;
+    for (std::size_t t = 0; t < library.types.size(); ++t) {
+        const std::string& type = library.types[t].name;
+        const auto mask = land.masks.find("type-" + type);
+        if (mask == land.masks.end()) continue;
+        // No larger than what every sample has room for.
+        const Sample* largest = nullptr;
+        int room = land.heights.width();
+        for (const int index : samples.of_type[t]) {
+            const Sample& sample = samples.all[std::size_t(index)];
+            const Field<float>& h = sample.land->heights;
+            if (!largest || h.size() > largest->land->heights.size()) largest = &sample;
+            room = std::min({room, 4 * h.width() / 5, 4 * h.height() / 5});
+        }
+        const auto [x, y, most] = largest_square(mask->second);
+        const int side = std::min(most, room), off = (most - side) / 2;
+        write(fmt::format("{}/{}-{}.tif", folder, name, type),
+              bench::part(land.heights, x + off, y + off, side, side), land.spacing);
+        int number = 0;
+        for (const int index : samples.of_type[t]) {
+            const Sample& sample = samples.all[std::size_t(index)];
+            const Field<float>& h = sample.land->heights;
+            for (int i = 0; i < kParts && &sample != largest; ++i) {
+                const std::uint64_t hash =
+                    hash_of({t, std::uint64_t(index), std::uint64_t(i)});
+                write(fmt::format("{}/{}-part-{}.tif", folder, type, ++number),
+                      bench::part(h, int(unit(hash) * (h.width() - side)),
+                                  int(unit(mix(hash)) * (h.height() - side)), side, side),
+                      land.spacing);
+            }
+        }
+        write(fmt::format("{}/{}.tif", folder, type), largest->land->heights,
+              land.spacing);
+    }
+}
 
 }  // namespace
 
@@ -76,9 +141,15 @@ int main(int argc, char** argv) {
             }
             for (const auto& [name, value] : land.figures)
                 fmt::print("  {:<44} {:7.3f}\n", name, value);
-            if (argc > 5)
-                write_geotiff(
-                    fmt::format("{}/{}.tif", argv[5], texture ? "texture" : "evolution"),
-                    land);
+            if (argc <= 5) continue;
+            const std::string name =
+                fmt::format("{}-{}", texture ? "texture" : "evolution", seed);
+            write(fmt::format("{}/{}.tif", argv[5], name), land.heights, spacing);
+            SilentProgress silent;
+            const auto level =
+                samples_of(options.library,
+                           std::vector<std::uint8_t>(options.library.types.size(), 1),
+                           spacing, 3, 1, silent);
+            write_parts(argv[5], name, land, level.front(), options.library);
         }
 }
