@@ -15,9 +15,11 @@ constexpr int kPopulation = 5, kCycles = 20;      // notes.md, Saunders 2006, 2
 constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
-constexpr double kCourse = 0.5, kOutside = 4.0;   // weights in the fitness
-constexpr double kBad = -3.0;  // a fitness that only what leaves its room has
-constexpr int kSofter = 6;     // tries to bend less and stay in it
+constexpr double kCourse = 0.5;                   // weight in the fitness
+// What leaves its room is no fitter than the first, all else is fitter.
+constexpr double kBad = -10.0, kWorst = -1e3;
+constexpr int kSofter = 6;          // tries to bend less and stay in it
+constexpr double kLeastBent = 0.3;  // at the start, of the absolute angle limit
 constexpr double kRounding = 1e-9;
 constexpr double kOfFree = 0.45;  // of the angle to the next boundary at a corner
 
@@ -90,34 +92,38 @@ double turn_at(const std::vector<Point2>& p, std::size_t i, std::size_t step) {
     return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
-double fitness(const std::vector<Point2>& p, const Run& run) {
+// Of a chromosome and its points.
+double fitness(const std::vector<double>& turns, const std::vector<Point2>& p,
+               const Run& run) {
     static const double kSteep = std::tan(kSteepest);
     for (std::size_t i = 1; i < p.size(); ++i)
         if (!(std::abs(p[i][1] - p[i - 1][1]) <=
               kSteep * (p[i][0] - p[i - 1][0]) + kRounding))
-            return -1e3;
-    // At several scales, so that it bends as much from far and from near (VI.1.2).
+            return kWorst;
+    double beyond = 0.0;
+    for (const auto& [room, frame] : run.rooms)
+        for (std::size_t i = 1; i + 1 < p.size(); ++i)
+            beyond = std::max(beyond, room.beyond(frame(p[i])));
+    if (beyond > kRounding) return std::max(kWorst, kBad - beyond);
+    // At several scales, so that it bends as much from far and from near (VI.1.2); the
+    // finest one's turns are the genes.
     double sum = 0.0;
     int scales = 0;
     for (std::size_t step = 1; 2 * step < p.size(); step *= 2, ++scales) {
         double of_scale = 0.0;
         int count = 0;
         for (std::size_t i = step; i + step < p.size(); i += step, ++count)
-            of_scale += smooth(turn_at(p, i, step), run.smoothness);
+            of_scale +=
+                smooth(step == 1 ? turns[i] : turn_at(p, i, step), run.smoothness);
         sum += of_scale / std::max(1, count);
     }
-    double beyond = 0.0;
-    for (const auto& [room, frame] : run.rooms)
-        for (std::size_t i = 1; i + 1 < p.size(); ++i)
-            beyond = std::max(beyond, room.beyond(frame(p[i])));
     const auto off = [&](std::size_t end) {
         if (!run.has_course[end]) return 0.0;
         const Point2 &a = end == 0 ? p[0] : p[p.size() - 2],
                      &b = end == 0 ? p[1] : p.back();
         return std::abs(std::atan2(b[1] - a[1], b[0] - a[0]) - run.course[end]);
     };
-    return sum / std::max(1, scales) - kCourse * (off(0) + off(1)) -
-           (beyond > kRounding ? kOutside + beyond : 0.0);
+    return sum / std::max(1, scales) - kCourse * (off(0) + off(1));
 }
 
 class Dice {
@@ -144,7 +150,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     std::vector<Point2> points;
     const auto add = [&](std::vector<double> turns) {
         decode(turns, points);
-        const double value = fitness(points, run);
+        const double value = fitness(turns, points, run);
         population.push_back({std::move(turns), value});
     };
     const auto rank = [&] {
@@ -155,13 +161,13 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     for (int i = 0; i < kPopulation; ++i) {
         std::vector<double> turns(n);
         double angle = 0.0;
-        const double most = kSteepest * dice.unit();
+        const double most = kSteepest * (kLeastBent + (1.0 - kLeastBent) * dice.unit());
         for (double& turn : turns) {
             const double next = most * dice.signed_unit();
             turn = next - angle, angle = next;
         }
         add(turns);
-        for (int k = 0; k < kSofter && population.back().fitness < kBad; ++k) {
+        for (int k = 0; k < kSofter && population.back().fitness <= kBad; ++k) {
             for (double& turn : turns) turn *= 0.5;
             population.pop_back();
             add(turns);
@@ -191,7 +197,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     }
     // The straight line keeps to all limits. It is not among the others, for from S = 0.6
     // on none is as smooth, and every boundary would stay straight.
-    if (population.front().fitness < kBad) population.front().turns.assign(n, 0.0);
+    if (population.front().fitness <= kBad) population.front().turns.assign(n, 0.0);
     decode(population.front().turns, points);
     points.front() = {0.0, 0.0}, points.back() = {1.0, 0.0};
     return points;
@@ -266,18 +272,25 @@ bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
 }  // namespace
 
 std::optional<Point2> crossing_of(const std::vector<Point2>& line) {
-    // Segments by where they begin from west to east, each against those that begin
-    // before it ends.
+    // Segments by where they begin, each against those that begin before it ends; along
+    // the axis that they extend less along.
     const std::size_t n = line.size() < 2 ? 0 : line.size() - 1;
-    const auto west = [&](std::size_t i) { return std::min(line[i][0], line[i + 1][0]); };
+    Point2 sum{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            sum[k] += std::abs(line[i + 1][k] - line[i][k]);
+    const std::size_t axis = sum[0] <= sum[1] ? 0 : 1;
+    const auto begin = [&](std::size_t i) {
+        return std::min(line[i][axis], line[i + 1][axis]);
+    };
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, west);
+    std::ranges::sort(order, {}, begin);
     const bool closed = n > 2 && line.front() == line.back();
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = order[k];
-        const double east = std::max(line[i][0], line[i + 1][0]);
-        for (std::size_t l = k + 1; l < n && west(order[l]) <= east; ++l) {
+        const double end = std::max(line[i][axis], line[i + 1][axis]);
+        for (std::size_t l = k + 1; l < n && begin(order[l]) <= end; ++l) {
             const std::size_t j = order[l];
             const std::size_t apart = i > j ? i - j : j - i;
             if (apart == 1 || (closed && apart == n - 1)) continue;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "field/error.h"
 #include "field/parallel.h"
 #include "field/random.h"
+#include "synth/genetic/segment_grid.h"
 
 namespace cydonia::genetic {
 namespace {
@@ -15,6 +17,7 @@ namespace {
 constexpr double kSame = 1e-6;  // of the terrain's larger side: corners so near are one
 constexpr double kFlat = 1e-9;  // an outline's area, of its sides' squares
 constexpr double kFarthest = 1e9;  // a corner, of the terrain's larger side
+constexpr double kUnseen = 0.1;    // of a cell: bends that no cell tells of
 // Of the room to its neighbours, that a boundary may use.
 constexpr double kClear = 0.45;
 
@@ -35,31 +38,34 @@ class Corners {
     explicit Corners(double same) : same_(same) {}
 
     int index(const Point2& p) {
-        const auto cell = cell_of(p);
-        for (std::int64_t dy = -1; dy <= 1; ++dy)
-            for (std::int64_t dx = -1; dx <= 1; ++dx) {
-                const auto found = cells_.find({cell.first + dx, cell.second + dy});
+        const auto low = cell_of({p[0] - same_, p[1] - same_}),
+                   high = cell_of({p[0] + same_, p[1] + same_});
+        for (std::int64_t y = low.second; y <= high.second; ++y)
+            for (std::int64_t x = low.first; x <= high.first; ++x) {
+                const auto found = cells_.find({x, y});
                 if (found == cells_.end()) continue;
                 for (const int i : found->second)
                     if (distance(points_[std::size_t(i)], p) <= same_) return i;
             }
-        cells_[cell].push_back(int(points_.size()));
+        cells_[cell_of(p)].push_back(int(points_.size()));
         points_.push_back(p);
         return int(points_.size()) - 1;
     }
     const Point2& operator[](int i) const { return points_[std::size_t(i)]; }
-    // West to east, for searches.
-    std::vector<int> in_order() const {
+    // Along an axis, for searches.
+    std::vector<int> in_order(std::size_t axis) const {
         std::vector<int> order(points_.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
-        std::ranges::sort(order, {}, [&](int i) { return points_[std::size_t(i)][0]; });
+        std::ranges::sort(order, {},
+                          [&](int i) { return points_[std::size_t(i)][axis]; });
         return order;
     }
 
   private:
     std::pair<std::int64_t, std::int64_t> cell_of(const Point2& p) const {
-        return {std::int64_t(std::floor(p[0] / same_)),
-                std::int64_t(std::floor(p[1] / same_))};
+        // Cells so large that nearly always one of them is all that is near.
+        return {std::int64_t(std::floor(p[0] / (16.0 * same_))),
+                std::int64_t(std::floor(p[1] / (16.0 * same_)))};
     }
     double same_;
     std::vector<Point2> points_;
@@ -73,18 +79,25 @@ Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 // Corners of others that lie on a loop's edges become its own.
 Loop with_corners_on(const Loop& loop, const Corners& corners,
-                     const std::vector<int>& order, double same) {
+                     const std::array<std::vector<int>, 2>& orders, double same) {
     Loop result;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const int from = loop[i], to = loop[(i + 1) % loop.size()];
         const Point2 &a = corners[from], &b = corners[to];
         std::vector<std::pair<double, int>> between;
-        const auto begin = std::ranges::lower_bound(
-            order, std::min(a[0], b[0]) - same, {}, [&](int k) { return corners[k][0]; });
-        for (auto k = begin;
-             k != order.end() && corners[*k][0] <= std::max(a[0], b[0]) + same; ++k)
-            if (*k != from && *k != to && distance_to(corners[*k], a, b) <= same)
-                between.emplace_back(distance(a, corners[*k]), *k);
+        // Of the corners beside it and those above and below it, the fewer.
+        const auto near = [&](std::size_t axis) {
+            const auto place = [&](int corner) { return corners[corner][axis]; };
+            return std::ranges::subrange(
+                std::ranges::lower_bound(orders[axis], std::min(a[axis], b[axis]) - same,
+                                         {}, place),
+                std::ranges::upper_bound(orders[axis], std::max(a[axis], b[axis]) + same,
+                                         {}, place));
+        };
+        const auto x = near(0), y = near(1);
+        for (const int k : x.size() < y.size() ? x : y)
+            if (k != from && k != to && distance_to(corners[k], a, b) <= same)
+                between.emplace_back(distance(a, corners[k]), k);
         std::ranges::sort(between);
         result.push_back(from);
         for (const auto& entry : between) result.push_back(entry.second);
@@ -133,6 +146,14 @@ double smoothness_of(const Sides& sides, const MapOptions& map,
     return map.smoothness;
 }
 
+// Neighbours of one type are one region, and have no boundary.
+bool is_within(const Sides& sides, const MapOptions& map) {
+    return sides.regions.size() > 1 && std::ranges::all_of(sides.regions, [&](int r) {
+               return map.regions[std::size_t(r)].type ==
+                      map.regions[std::size_t(sides.regions.front())].type;
+           });
+}
+
 // The map's edges, with what lies around them.
 class Mesh {
   public:
@@ -144,9 +165,12 @@ class Mesh {
 
   private:
     bool on_frame(const Edge& edge) const;
-    double clearance(const Edge& edge, double most) const;
+    double clearance(const Edge& edge, double least, double most) const;
     double free_angle(const Edge& edge, int corner) const;
     double course(const Edge& edge, int corner) const;
+    std::vector<Point2> line_of(const Edge& edge, const Sides& sides,
+                                const MapOptions& map, const LibraryOptions& library,
+                                std::uint64_t seed) const;
 
     Extent extent_;
     double same_;
@@ -154,12 +178,8 @@ class Mesh {
     std::vector<std::vector<Loop>> loops_;  // of each region
     std::map<Edge, Sides> edges_;
     std::map<int, std::vector<int>> neighbours_;  // corners along edges
-    struct Placed {
-        double west;  // of its western end
-        Edge edge;
-    };
-    std::vector<Placed> by_west_;
-    double longest_ = 0.0;  // edge, west to east
+    std::vector<Edge> in_grid_;
+    std::optional<SegmentGrid> grid_;
 };
 
 Mesh::Mesh(const MapOptions& map, const Extent& extent)
@@ -191,11 +211,11 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
             raw.back().push_back(std::move(loop));
         }
     }
-    const std::vector<int> order = corners_.in_order();
+    const std::array orders = {corners_.in_order(0), corners_.in_order(1)};
     for (std::size_t r = 0; r < raw.size(); ++r) {
         loops_.emplace_back();
         for (const Loop& loop : raw[r]) {
-            loops_.back().push_back(with_corners_on(loop, corners_, order, same_));
+            loops_.back().push_back(with_corners_on(loop, corners_, orders, same_));
             const Loop& own = loops_.back().back();
             for (std::size_t i = 0; i < own.size(); ++i) {
                 const int a = own[i], b = own[(i + 1) % own.size()];
@@ -206,13 +226,15 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
             }
         }
     }
+    if (!map.refine) return;
+    std::vector<SegmentGrid::Segment> segments;
     for (const auto& entry : edges_) {
-        const double a = corners_[entry.first.first][0],
-                     b = corners_[entry.first.second][0];
-        by_west_.push_back({std::min(a, b), entry.first});
-        longest_ = std::max(longest_, std::abs(a - b));
+        in_grid_.push_back(entry.first);
+        segments.emplace_back(corners_[entry.first.first], corners_[entry.first.second]);
     }
-    std::ranges::stable_sort(by_west_, {}, &Placed::west);
+    // What is farther away than that is not seen.
+    const double w = extent.width(), d = extent.depth();
+    grid_.emplace(std::move(segments), std::array{-w, -d, 2.0 * w, 2.0 * d});
 }
 
 bool Mesh::on_frame(const Edge& edge) const {
@@ -225,22 +247,27 @@ bool Mesh::on_frame(const Edge& edge) const {
            beyond([&](const Point2& p) { return p[1] >= d - s; });
 }
 
-// To the nearest edge that has no corner in common, `most` if none is nearer.
-double Mesh::clearance(const Edge& edge, double most) const {
+// To the nearest edge that has no corner in common, `most` if none is nearer, anything
+// below `least` if one is nearer than that. Looked for farther and farther away.
+double Mesh::clearance(const Edge& edge, double least, double most) const {
     const Point2 &a = corners_[edge.first], &b = corners_[edge.second];
-    const auto begin = std::ranges::lower_bound(
-        by_west_, std::min(a[0], b[0]) - most - longest_, {}, &Placed::west);
-    for (auto i = begin; i != by_west_.end() && i->west <= std::max(a[0], b[0]) + most;
-         ++i) {
-        const Edge& other = i->edge;
-        if (other.first == edge.first || other.first == edge.second ||
-            other.second == edge.first || other.second == edge.second)
-            continue;
-        const Point2 &c = corners_[other.first], &d = corners_[other.second];
-        most = std::min({most, distance_to(a, c, d), distance_to(b, c, d),
-                         distance_to(c, a, b), distance_to(d, a, b)});
+    for (double reach = std::min(least, most);; reach = std::min(4.0 * reach, most)) {
+        const std::array<double, 4> around = {
+            std::min(a[0], b[0]) - reach, std::min(a[1], b[1]) - reach,
+            std::max(a[0], b[0]) + reach, std::max(a[1], b[1]) + reach};
+        double nearest = most;
+        grid_->near(around, [&](std::size_t i) {
+            const Edge& other = in_grid_[i];
+            if (other.first != edge.first && other.first != edge.second &&
+                other.second != edge.first && other.second != edge.second) {
+                const auto& [c, d] = (*grid_)[i];
+                nearest = std::min({nearest, distance_to(a, c, d), distance_to(b, c, d),
+                                    distance_to(c, a, b), distance_to(d, a, b)});
+            }
+            return nearest >= least;
+        });
+        if (nearest <= reach || reach >= most) return nearest;
     }
-    return most;
 }
 
 double angle_of(const Point2& from, const Point2& to) {
@@ -286,6 +313,34 @@ std::vector<Drawn> Mesh::straight() const {
     return result;
 }
 
+std::vector<Point2> Mesh::line_of(const Edge& edge, const Sides& sides,
+                                  const MapOptions& map, const LibraryOptions& library,
+                                  std::uint64_t seed) const {
+    const auto [first, second] = edge;
+    const Point2 &a = corners_[first], &b = corners_[second];
+    const double length = distance(a, b);
+    if (length <= extent_.spacing || on_frame(edge) || is_within(sides, map))
+        return {a, b};
+    const double drawn = map.envelope > 0.0 ? map.envelope : 0.2 * length;
+    const double unseen = kUnseen * extent_.spacing;
+    const double envelope =
+        kClear * clearance(edge, unseen / kClear, std::min(drawn, 0.3 * length) / kClear);
+    if (envelope < unseen) return {a, b};
+    const StraightBoundary boundary{
+        .from = a,
+        .to = b,
+        .smoothness = smoothness_of(sides, map, library),
+        .envelope = envelope,
+        .free_at = {free_angle(edge, first), free_angle(edge, second)},
+        .course = {course(edge, first), course(edge, second)},
+        .segment = extent_.spacing,
+        .window = {0.0, 0.0, extent_.width(), extent_.depth()}};
+    // By its place, so that a change elsewhere leaves it as it is.
+    const auto bits = [](double v) { return std::uint64_t(std::llround(v * 1000.0)); };
+    return genetic::refined(
+        boundary, hash_of({seed, bits(a[0]), bits(a[1]), bits(b[0]), bits(b[1])}));
+}
+
 std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& library,
                                  std::uint64_t seed) const {
     struct Task {
@@ -301,30 +356,7 @@ std::vector<Drawn> Mesh::refined(const MapOptions& map, const LibraryOptions& li
     }
     parallel_for(int(tasks.size()), [&](int i) {
         Task& task = tasks[std::size_t(i)];
-        const auto [first, second] = task.edge;
-        const Point2 &a = corners_[first], &b = corners_[second];
-        if (on_frame(task.edge)) {
-            task.line = {a, b};
-            return;
-        }
-        const double length = distance(a, b);
-        const double drawn = map.envelope > 0.0 ? map.envelope : 0.2 * length;
-        const StraightBoundary boundary{
-            .from = a,
-            .to = b,
-            .smoothness = smoothness_of(*task.sides, map, library),
-            .envelope =
-                kClear * clearance(task.edge, std::min(drawn, 0.3 * length) / kClear),
-            .free_at = {free_angle(task.edge, first), free_angle(task.edge, second)},
-            .course = {course(task.edge, first), course(task.edge, second)},
-            .segment = extent_.spacing,
-            .window = {0.0, 0.0, extent_.width(), extent_.depth()}};
-        // By its place, so that a change elsewhere leaves it as it is.
-        const auto bits = [](double v) {
-            return std::uint64_t(std::llround(v * 1000.0));
-        };
-        task.line = genetic::refined(
-            boundary, hash_of({seed, bits(a[0]), bits(a[1]), bits(b[0]), bits(b[1])}));
+        task.line = line_of(task.edge, *task.sides, map, library, seed);
     });
     std::vector<Drawn> result;
     for (const auto& loops : loops_) {

@@ -187,6 +187,34 @@ TEST(Outlines, NeverCross) {
     }
 }
 
+// Strips of very different widths, whose boundaries have no corner in common.
+TEST(Outlines, KeepClearOfEachOther) {
+    LibraryOptions library;
+    library.types = {{.name = "a", .examples = {}}, {.name = "b", .examples = {}}};
+    const Extent extent{60, 60, 10.0};
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        MapOptions map;
+        map.window = {0.0, 0.0, 600.0, 600.0};
+        map.smoothness = 0.1;
+        map.envelope = 200.0;
+        double at = 0.0;
+        for (std::uint64_t i = 0; at < 600.0; ++i) {
+            const double next = std::min(
+                600.0, at + 5.0 + 150.0 * std::pow(unit(hash_of({seed, i})), 4.0));
+            map.regions.push_back(
+                {"r", i % 2 ? "a" : "b", {{{at, 0}, {next, 0}, {next, 600}, {at, 600}}}});
+            at = next;
+        }
+        const auto drawn = drawn_outlines(map, library, extent, seed);
+        for (std::size_t r = 0; r < drawn.size(); ++r) {
+            EXPECT_FALSE(crosses_itself(drawn[r].outlines[0])) << seed << ' ' << r;
+            for (std::size_t q = 0; q < r; ++q)
+                EXPECT_FALSE(cross(drawn[r].outlines[0], drawn[q].outlines[0]))
+                    << seed << ' ' << r << ' ' << q;
+        }
+    }
+}
+
 // Neighbours have the same points along what they share, and the frame stays straight.
 TEST(Outlines, NeighboursShareBoundaries) {
     LibraryOptions library;
