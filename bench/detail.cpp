@@ -146,13 +146,13 @@ double roughness_of_level(const Field<float>& land, const Field<float>& truth) {
     for (int y = 0; y + kSide <= truth.height(); y += kSide)
         for (int x = 0; x + kSide <= truth.width(); x += kSide)
             parts.push_back(
-                {float(bench::relief(bench::part(truth, x, y, kSide, kSide))), x, y});
+                {float(bench::relief(part(truth, x, y, kSide, kSide))), x, y});
     std::ranges::sort(parts, {}, &Part::relief);
     parts.resize(std::max<std::size_t>(1, parts.size() / 10));
     const Field<float> rough = roughness(land);
     double squares = 0.0;
     for (const Part& part : parts)
-        for (const float r : bench::part(rough, part.x, part.y, kSide, kSide))
+        for (const float r : cydonia::part(rough, part.x, part.y, kSide, kSide))
             squares += double(r) * r;
     return std::sqrt(squares / (double(parts.size()) * kSide * kSide));
 }
@@ -195,7 +195,7 @@ void by_details(const std::string& name, const Table& table, const Field<float>&
     if (options.kind == Kind::kMultifractal) take_scale(examples[0]);
     const bench::Stopwatch watch;
     const Field<float> land = made(coarse, examples, options);
-    table.put(name, bench::part(land, 0, 0, width, height), watch.seconds());
+    table.put(name, part(land, 0, 0, width, height), watch.seconds());
 }
 
 void restore(const fs::path& exemplar, const fs::path& folder) {
@@ -205,9 +205,9 @@ void restore(const fs::path& exemplar, const fs::path& folder) {
     int width = model.heights.width() / 2, height = model.heights.height();
     while (divisible(options.filter, width, options.levels) != width) --width;
     while (divisible(options.filter, height, options.levels) != height) --height;
-    const Field<float> truth = bench::part(model.heights, 0, 0, width, height);
+    const Field<float> truth = part(model.heights, 0, 0, width, height);
     const Field<float> other =
-        bench::part(model.heights, model.heights.width() - width, 0, width, height);
+        part(model.heights, model.heights.width() - width, 0, width, height);
     const auto coarse = decomposed(truth, options.filter, options.levels).back().coarse;
     if (!folder.empty()) fs::create_directories(folder);
     fmt::print("{}: {} x {} of {:.4g} m from {} x {}, details of the other half\n\n",

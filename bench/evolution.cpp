@@ -92,7 +92,7 @@ void write_parts(const std::string& folder, const std::string& name, const Terra
         const auto [x, y, most] = largest_square(mask->second);
         const int side = std::min(most, room), off = (most - side) / 2;
         write(fmt::format("{}/{}-{}.tif", folder, name, type),
-              bench::part(land.heights, x + off, y + off, side, side), land.spacing);
+              part(land.heights, x + off, y + off, side, side), land.spacing);
         int number = 0;
         for (const int index : samples.of_type[t]) {
             const Sample& sample = samples.all[std::size_t(index)];
@@ -101,8 +101,8 @@ void write_parts(const std::string& folder, const std::string& name, const Terra
                 const std::uint64_t hash =
                     hash_of({t, std::uint64_t(index), std::uint64_t(i)});
                 write(fmt::format("{}/{}-part-{}.tif", folder, type, ++number),
-                      bench::part(h, int(unit(hash) * (h.width() - side)),
-                                  int(unit(mix(hash)) * (h.height() - side)), side, side),
+                      part(h, int(unit(hash) * (h.width() - side)),
+                           int(unit(mix(hash)) * (h.height() - side)), side, side),
                       land.spacing);
             }
         }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "field/field.h"
+#include "field/part.h"
 
 namespace cydonia::bench {
 
@@ -21,13 +22,5 @@ struct Likeness {
 };
 Likeness likeness(const Field<float>& land, const Field<float>& model, double spacing,
                   std::uint64_t seed);
-
-template <class T>
-Field<T> part(const Field<T>& whole, int x0, int y0, int width, int height) {
-    Field<T> result(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) result(x, y) = whole(x0 + x, y0 + y);
-    return result;
-}
 
 }  // namespace cydonia::bench

@@ -139,8 +139,7 @@ Field<Rgb8> page_of(Exemplar& exemplar, bool real_is_a, std::uint64_t seed) {
                            number("sun") % 2 == 0};
     const Corner at = unseen(exemplar, number("piece"));
     const Terrain real = shown(
-        exemplar,
-        bench::part(exemplar.model.heights, at.x, at.y, exemplar.side, exemplar.side),
+        exemplar, part(exemplar.model.heights, at.x, at.y, exemplar.side, exemplar.side),
         turn);
     const Terrain made = shown(exemplar, synthetic(exemplar, number("land")), turn);
     return real_is_a ? bench::blind_page(real, made, view)

@@ -120,7 +120,7 @@ Land land_of(const texture::Database& database, int seed, int width, int height)
         synthesised(database, controls, {},
                     Window{0, 0, 0, width, height}.grown(kReadOut), nullptr, silent);
     Land land{{heights_of(database, made), database.spacing, {}, {}, {}},
-              bench::part(made.places, kReadOut, kReadOut, width, height),
+              part(made.places, kReadOut, kReadOut, width, height),
               watch.seconds()};
     return land;
 }

@@ -93,6 +93,14 @@ std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
     return inherited;
 }
 
+// The coarser level's land stays as it was (section IV.3.3.6).
+void conform(Field<float>& heights, const Field<float>& coarse, int times) {
+    Field<float> off = coarser(heights, times);
+    for (std::size_t i = 0; i < off.size(); ++i) off[i] = coarse[i] - off[i];
+    const Field<float> correction = finer(off, times, heights.width(), heights.height());
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += correction[i];
+}
+
 double seam_energy_of(const Field<float>& h, const GeneGrid& grid, const Chromosome& c,
                       const Field<std::uint8_t>& types) {
     // Bends east and south of each cell, by whether a seam lies there; a type at a time,
@@ -212,14 +220,8 @@ std::vector<LevelDone> height_field(const Regions& regions,
             now.heights = texture->refined(
                 {grid.get(), used.get(), genes.get(), &done.back().heights}, types,
                 hash_of({seed, key("level"), level}), progress);
-            const int times = int(std::lround(done.back().spacing / spacing));
-            Field<float> off = coarser(now.heights, times);
-            for (std::size_t i = 0; i < off.size(); ++i)
-                off[i] = done.back().heights[i] - off[i];
-            const Field<float> correction =
-                finer(off, times, types.width(), types.height());
-            for (std::size_t i = 0; i < now.heights.size(); ++i)
-                now.heights[i] += correction[i];
+            conform(now.heights, done.back().heights,
+                    int(std::lround(done.back().spacing / spacing)));
             if (features) features(now.heights, spacing);
             done.push_back(std::move(now));
             genes.reset();
@@ -262,14 +264,7 @@ std::vector<LevelDone> height_field(const Regions& regions,
         } else {
             for (std::size_t i = 0; i < now.heights.size(); ++i)
                 now.heights[i] += pattern[i];
-            // Conform: coarser levels stay as they were (section IV.3.3.6).
-            Field<float> off = coarser(now.heights, ratio);
-            for (std::size_t i = 0; i < off.size(); ++i)
-                off[i] = done.back().heights[i] - off[i];
-            const Field<float> correction =
-                finer(off, ratio, types.width(), types.height());
-            for (std::size_t i = 0; i < now.heights.size(); ++i)
-                now.heights[i] += correction[i];
+            conform(now.heights, done.back().heights, ratio);
         }
         now.seam_energy = seam_energy_of(now.heights, *slots, result.best, types);
         if (features) features(now.heights, spacing);

@@ -7,6 +7,7 @@
 
 #include "field/error.h"
 #include "field/parallel.h"
+#include "field/part.h"
 #include "field/sampled.h"
 
 namespace cydonia::genetic {
@@ -48,14 +49,6 @@ template <class T>
 T over(const Field<T>& sums, int x, int y, int width, int height) {
     return sums(x + width, y + height) - sums(x, y + height) - sums(x + width, y) +
            sums(x, y);
-}
-
-template <class T>
-Field<T> part(const Field<T>& from, int x, int y, int width, int height) {
-    Field<T> result(width, height);
-    for (int row = 0; row < height; ++row)
-        std::copy_n(from.row(y + row).begin() + x, width, result.row(row).begin());
-    return result;
 }
 
 Model model_of(const Example& example, Progress& progress) {

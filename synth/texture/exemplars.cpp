@@ -5,6 +5,7 @@
 
 #include "field/dem.h"
 #include "field/error.h"
+#include "field/part.h"
 #include "field/sampled.h"
 #include "synth/texture/types.h"
 
@@ -12,14 +13,6 @@ namespace cydonia::texture {
 namespace {
 
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 28;  // of all exemplars
-
-template <class T>
-Field<T> part(const Field<T>& from, int x, int y, int width, int height) {
-    Field<T> result(width, height);
-    for (int row = 0; row < height; ++row)
-        std::copy_n(from.row(y + row).begin() + x, width, result.row(row).begin());
-    return result;
-}
 
 void refuse_size(const std::string& name, double width, double height, double spacing) {
     const std::string size =
