@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/measure.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/embree/preview_frame.h"
 #include "render/frames/frame.h"
 #include "render/ground/ground.h"

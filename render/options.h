@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "field/sun.h"
-#include "render/camera_options.h"
+#include "render/cameras/options.h"
 #include "render/colour/options.h"
 #include "render/fine_relief/options.h"
 #include "render/ground/options.h"

@@ -7,10 +7,9 @@
 #include "field/parallel.h"
 #include "field/rgb.h"
 #include "field/sample.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
-#include "render/pov/pieces.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
@@ -124,8 +123,8 @@ class PreviewLand::Picture {
           view_(land.view),
           rays_(shot.camera),
           to_sun_(direction_to(shot.sun)) {
-        if (!pov::has_haze(shot)) return;
-        air_ = pov::haze_light(shot);
+        if (!has_haze(shot)) return;
+        air_ = haze_light(shot);
         visibility_ =
             visibility(shot.options.sky, shot.options.haze, view_.terrain().width());
     }

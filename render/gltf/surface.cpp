@@ -8,7 +8,7 @@
 #include "field/parallel.h"
 #include "field/vec.h"
 #include "render/gltf/glb.h"
-#include "render/pov/water.h"
+#include "render/scene/water.h"
 
 namespace cydonia::render {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "field/error.h"
 #include "field/parallel.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/embree/embree.h"
 #include "render/passes/copies.h"
 #include "render/passes/mesh.h"
-#include "render/pov/things.h"
-#include "render/pov/water.h"
+#include "render/scene/things.h"
+#include "render/scene/water.h"
 #include "render/shadow/soft.h"
 #include "render/sky/clouds.h"
 
@@ -333,9 +333,8 @@ void View::Scene::cloud(const Field<SeenPoint>& points, const Sun& sun,
 }
 
 Scenery scenery_of(const Shot& shot, const Terrain& terrain) {
-    return {shot.options.water,  shot.around,
-            shot.options.things, pov::things_of(shot, terrain),
-            shot.options.sky,    !terrain.shadows.empty()};
+    return {shot.options.water,       shot.around,      shot.options.things,
+            things_of(shot, terrain), shot.options.sky, !terrain.shadows.empty()};
 }
 
 View::View(const Terrain& terrain, const Scenery& scenery) {

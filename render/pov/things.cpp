@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/pov/pieces.h"
+#include "render/scene/things.h"
 #include "render/things/originals.h"
 
 namespace cydonia::render::pov {
@@ -16,19 +17,6 @@ namespace {
 
 constexpr const char* kNames[] = {"Conifer", "Broadleaf", "Shrub",
                                   "Grass",   "Rock",      "Boulder"};
-
-// A copy takes about two kilobytes of POV-Ray.
-std::size_t most_copies(Quality quality) {
-    switch (quality) {
-        case Quality::kDraft:
-            return 10'000;
-        case Quality::kPreview:
-            return 60'000;
-        case Quality::kFinal:
-            break;
-    }
-    return 200'000;
-}
 
 std::string vector(const std::array<float, 3>& v) {
     return fmt::format("<{:.4g},{:.4g},{:.4g}>", v[0], v[2], v[1]);
@@ -63,16 +51,6 @@ std::string original(ThingOptions::Kind kind, int number) {
 }
 
 }  // namespace
-
-std::vector<std::vector<Thing>> things_of(const Shot& shot, const Terrain& terrain) {
-    const std::vector<ThingOptions>& kinds = shot.options.things;
-    std::vector<std::vector<Thing>> all;
-    for (int i = 0; i < int(kinds.size()); ++i)
-        all.push_back(things_in_view(terrain, kinds[std::size_t(i)], i, shot.camera,
-                                     most_copies(shot.quality) / kinds.size(),
-                                     shot.options.water));
-    return all;
-}
 
 std::string things(const Shot& shot, const Terrain& terrain) {
     const std::vector<ThingOptions>& kinds = shot.options.things;

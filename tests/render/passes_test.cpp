@@ -10,7 +10,7 @@
 
 #include "field/error.h"
 #include "field/files.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/frames/povray.h"
 #include "render/pov/pieces.h"
 #include "render/shadow/caster.h"

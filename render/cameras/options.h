@@ -18,7 +18,7 @@ struct CameraKey {
     std::array<Length, 3> target{};  // x east, y north, z above the ground there
 };
 
-// A camera as a scene describes it; placed over a terrain by render/cameras.h.
+// A camera as a scene describes it; placed over a terrain by render/cameras/cameras.h.
 struct CameraOptions {
     enum class Kind {
         kOverhead,  // orthographic, straight down, north up, the whole extent
