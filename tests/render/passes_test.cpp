@@ -313,8 +313,8 @@ TEST(Passes, FileHasTheNamesCompositorsExpect) {
     PassMaps maps{Field<std::uint8_t>(kSide, kSide, 2),
                   Field<std::uint8_t>(kSide, kSide, 3),
                   Field<float>(kSide, kSide, 0.75f)};
-    const auto layers = passes(view, points, sun_at(300.0, 20.0), maps,
-                               {std::begin(kAllPasses), std::end(kAllPasses)});
+    const auto layers =
+        passes(view, points, sun_at(300.0, 20.0), maps, values_in(kPasses));
     const Field<Rgb> beauty(camera.width, camera.height, Rgb{0.25f, 0.5f, -0.125f});
     write_passes(folder / "a.exr", beauty, layers, camera.width, camera.height, {});
 
