@@ -11,7 +11,7 @@ void read(Table& t, ThingOptions& thing) {
     t.field("slope", thing.slope, Degrees{between(0.0, 90.0)});
     t.field("from", thing.from, LengthUnit{});
     t.field("to", thing.to, LengthUnit{});
-    t.field("mask", thing.mask, Word{});
+    t.field("mask", thing.mask, Text{});
     t.field("map", thing.map, File{});
     t.field("clumping", thing.clumping, Number{from(0.0, 1.0)});
     t.field("in_image", thing.in_image, Flag{});
