@@ -12,6 +12,7 @@
 #include "field/error.h"
 #include "render/frames/child.h"
 #include "render/frames/program.h"
+#include "render/scene/files.h"
 
 namespace cydonia::render {
 namespace fs = std::filesystem;
@@ -27,8 +28,8 @@ constexpr std::size_t kLongestMessage = 600;
 class Unfinished {
   public:
     Unfinished(const fs::path& folder, const std::string& name)
-        : picture_(folder / (name + ".part.exr")),
-          state_(folder / (name + ".part.pov-state")) {
+        : picture_(folder / file_of(name, ShotFile::kUnfinishedFrame)),
+          state_(folder / file_of(name, ShotFile::kUnfinishedState)) {
         remove();
     }
     ~Unfinished() { remove(); }
@@ -176,15 +177,15 @@ fs::path povray_program() {
 void run_povray(const fs::path& folder, const std::string& name, int threads,
                 std::chrono::seconds time_limit, Progress& progress) {
     const auto deadline = Clock::now() + time_limit;
-    const fs::path scene = folder / (name + ".pov");
+    const fs::path scene = folder / file_of(name, ShotFile::kScene);
     const Unfinished unfinished(folder, name);
 
     // +FE: an EXR whatever the .ini says; +V: tells how far it is; -D: no window.
-    Child child(
-        povray_program(),
-        {"./" + name + ".ini", "+FE", "+O" + unfinished.picture().filename().string(),
-         fmt::format("+WT{}", threads), "+V", "-D", "-P"},
-        folder);
+    Child child(povray_program(),
+                {"./" + file_of(name, ShotFile::kSettings), "+FE",
+                 "+O" + unfinished.picture().filename().string(),
+                 fmt::format("+WT{}", threads), "+V", "-D", "-P"},
+                folder);
     Log log;
     std::string output;
     while (child.read(output, kPatience)) {
@@ -199,7 +200,7 @@ void run_povray(const fs::path& folder, const std::string& name, int threads,
     expect_success(child, scene, log.text());
 
     std::error_code error;
-    fs::rename(unfinished.picture(), folder / (name + ".exr"), error);
+    fs::rename(unfinished.picture(), folder / file_of(name, ShotFile::kFrame), error);
     if (error)
         throw failure("POV-Ray ended without a picture of {}: {}", scene.string(),
                       reason_in(log.text()));
