@@ -16,6 +16,9 @@
 namespace cydonia::render {
 namespace {
 
+constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
+constexpr std::size_t kLongestLine = 64u << 10;
+
 // Between fork and exec, where only async-signal-safe calls are allowed.
 [[noreturn]] void become(char* const* command, const char* folder, int output,
                          pid_t parent) {
@@ -108,6 +111,34 @@ bool Child::read(std::string& output, std::chrono::milliseconds patience) {
     ended_ = has_ended();  // before the reading: nothing is printed after it
     read_what_is_there(output);
     return !ended_;
+}
+
+std::optional<int> outcome_of(const std::filesystem::path& program,
+                              const std::vector<std::string>& arguments,
+                              const std::filesystem::path& folder,
+                              std::chrono::seconds time_limit,
+                              const std::function<void(std::string& output)>& listen) {
+    const auto deadline = std::chrono::steady_clock::now() + time_limit;
+    Child child(program, arguments, folder);
+    std::string output;
+    while (child.read(output, kPatience)) {
+        listen(output);
+        if (std::chrono::steady_clock::now() > deadline) return std::nullopt;
+    }
+    output += '\n';  // the last line may lack its end
+    listen(output);
+    return child.outcome();
+}
+
+void take_lines(std::string& output, const std::function<void(std::string_view)>& take) {
+    std::size_t begin = 0;
+    for (auto end = output.find_first_of("\r\n"); end != output.npos;
+         end = output.find_first_of("\r\n", begin)) {
+        take(std::string_view(output).substr(begin, end - begin));
+        begin = end + 1;
+    }
+    output.erase(0, begin);
+    if (output.size() > kLongestLine) output.clear();
 }
 
 }  // namespace cydonia::render

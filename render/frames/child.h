@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cydonia::render {
@@ -40,5 +43,19 @@ class Child {
     bool ended_ = false;
     int outcome_ = 0;
 };
+
+// Runs a program to its end and gives Child::outcome(). `listen` gets what the program
+// printed and nobody took out of it yet, ten times a second at least and once in the end,
+// with a new line after all; what it throws kills the program. So does the end of
+// `time_limit`: then there is no outcome.
+std::optional<int> outcome_of(const std::filesystem::path& program,
+                              const std::vector<std::string>& arguments,
+                              const std::filesystem::path& folder,
+                              std::chrono::seconds time_limit,
+                              const std::function<void(std::string& output)>& listen);
+
+// Moves whole lines out of `output`, each ended by a new line or a carriage return, and
+// all of it when it is longer than any line should be.
+void take_lines(std::string& output, const std::function<void(std::string_view)>& take);
 
 }  // namespace cydonia::render

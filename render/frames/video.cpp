@@ -18,9 +18,6 @@ namespace cydonia::render {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
 constexpr std::chrono::hours kTimeLimit{2};
 constexpr std::size_t kKeptWords = 600;
 
@@ -103,23 +100,13 @@ bool is_report(std::string_view line) {
                             }));
 }
 
-// Takes whole lines out of `output`: "frame=12" tells how far it is; what is no report is
-// an error.
-void take(std::string& output, int& frame, std::string& words) {
-    std::size_t begin = 0;
-    for (auto end = output.find('\n'); end != output.npos;
-         end = output.find('\n', begin)) {
-        const std::string_view line = std::string_view(output).substr(begin, end - begin);
-        constexpr std::string_view kFrame = "frame=";
-        if (line.starts_with(kFrame))
-            std::from_chars(line.data() + kFrame.size(), line.data() + line.size(),
-                            frame);
-        else if (!is_report(line) && words.size() < kKeptWords)
-            words.append(words.empty() ? "" : " ").append(line);
-        begin = end + 1;
-    }
-    output.erase(0, begin);
-    if (output.size() > kKeptWords) output.clear();  // no line is that long
+// "frame=12" tells how far it is; what is no report is an error.
+void hear(std::string_view line, int& frame, std::string& words) {
+    constexpr std::string_view kFrame = "frame=";
+    if (line.starts_with(kFrame))
+        std::from_chars(line.data() + kFrame.size(), line.data() + line.size(), frame);
+    else if (!is_report(line) && words.size() < kKeptWords)
+        words.append(words.empty() ? "" : " ").append(line);
 }
 
 void expect_success(int outcome, const fs::path& file, const std::string& words) {
@@ -143,19 +130,18 @@ void expect_frames(const Film& film) {
 
 void run_ffmpeg(const Film& film, const fs::path& file, const fs::path& named,
                 Progress& progress) {
-    const auto deadline = Clock::now() + kTimeLimit;
     const double frames = film.count + held_frames(film);
-    Child child(ffmpeg_program(), arguments(film, file), film.folder);
-    std::string output, words;
+    std::string words;
     int frame = 0;
-    while (child.read(output, kPatience)) {
-        take(output, frame, words);
-        progress.report(std::clamp(frame / frames, 0.0, 1.0));
-        if (Clock::now() > deadline)
-            throw failure("ffmpeg was stopped: {} took longer than 2 h", named.string());
-    }
-    take(output += '\n', frame, words);
-    expect_success(child.outcome(), named, words);
+    const auto outcome = outcome_of(
+        ffmpeg_program(), arguments(film, file), film.folder, kTimeLimit,
+        [&](std::string& output) {
+            take_lines(output, [&](std::string_view line) { hear(line, frame, words); });
+            progress.report(std::clamp(frame / frames, 0.0, 1.0));
+        });
+    if (!outcome)
+        throw failure("ffmpeg was stopped: {} took longer than 2 h", named.string());
+    expect_success(*outcome, named, words);
 }
 
 }  // namespace
