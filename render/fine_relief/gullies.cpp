@@ -45,6 +45,23 @@ Field<Origin> origins(int across, int down, std::uint64_t seed) {
     return result;
 }
 
+// The stripes of all origins near a place of the lattice, across (ax, ay).
+Wave blended(const Field<Origin>& from, float px, float py, float ax, float ay) {
+    const int i = static_cast<int>(px), j = static_cast<int>(py);
+    Wave sum{0.0f, 0.0f};
+    for (int dj = 0; dj < 3; ++dj)
+        for (int di = 0; di < 3; ++di) {
+            const Origin& o = from(i + di, j + dj);
+            const float vx = px - o.x, vy = py - o.y;
+            const float near = 1.0f - (vx * vx + vy * vy) * (1.0f / (kReach * kReach));
+            if (near <= 0.0f) continue;
+            const Wave w = wave(vx * ax + vy * ay);
+            sum.c += near * near * w.c;
+            sum.s += near * near * w.s;
+        }
+    return sum;
+}
+
 }  // namespace
 
 Field<float> gullies(const Field<float>& heights, double spacing, double wavelength,
@@ -73,22 +90,10 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             const float ax = -south_rise / slope * kCell, ay = east_rise / slope * kCell;
             const float px = (static_cast<float>(x) + 0.5f) * lattice;
             const float py = (static_cast<float>(y) + 0.5f) * lattice;
-            const int i = static_cast<int>(px), j = static_cast<int>(py);
-            float c = 0.0f, s = 0.0f;
-            for (int dj = 0; dj < 3; ++dj)
-                for (int di = 0; di < 3; ++di) {
-                    const Origin& o = from(i + di, j + dj);
-                    const float vx = px - o.x, vy = py - o.y;
-                    const float near =
-                        1.0f - (vx * vx + vy * vy) * (1.0f / (kReach * kReach));
-                    if (near <= 0.0f) continue;
-                    const Wave w = wave(vx * ax + vy * ay);
-                    c += near * near * w.c;
-                    s += near * near * w.s;
-                }
-            const float length = std::sqrt(c * c + s * s);
+            const Wave blend = blended(from, px, py, ax, ay);
+            const float length = std::sqrt(blend.c * blend.c + blend.s * blend.s);
             if (length <= 0.0f) continue;
-            const float u = c / length;
+            const float u = blend.c / length;
             // Ribs are sharper than the gullies between them.
             const float sharp = 1.0f - 2.0f * std::sqrt(std::max(0.0f, 0.5f - 0.5f * u));
             // Deep in some places, faint in others.
