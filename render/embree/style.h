@@ -6,10 +6,11 @@
 
 namespace cydonia::render {
 
-// How a preview shows the land. Grey to ink are those of J. Brosz, "Terrain Modeling by
-// Example" (2007), section 6.
+// How a preview shows the land. The styles kGrey to kInk are those of J. Brosz, "Terrain
+// Modeling by Example" (2007), section 6. A style is a value, a row of the table below
+// and its colours in diagram.cpp.
 enum class Style {
-    kNatural,   // as the frame will be: ground, sun, sky, haze, water, things
+    kNatural,   // like the final frame: ground, sun, sky, haze, water, things
     kGrey,      // grey, lit by the sun without shadows
     kHeight,    // coloured by height: brown, green, red, orange, yellow, white
     kSlope,     // coloured by slope, from the steepest: yellow, red, green, grey

@@ -18,10 +18,10 @@ namespace cydonia::render {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kKeptOutput = 64u << 10;  // its last words, and enough of them
+constexpr std::size_t kKeptOutput = 64u << 10;  // bytes of its last output that are kept
 constexpr std::size_t kLongestMessage = 600;
 
-// What POV-Ray makes under names of its own until the picture is whole; gone in the end.
+// The files that POV-Ray writes until the picture is complete; removed when done.
 class Unfinished {
   public:
     Unfinished(const fs::path& folder, const std::string& name)
@@ -44,7 +44,7 @@ class Unfinished {
     fs::path picture_, state_;
 };
 
-// What POV-Ray printed last, without its reports of progress.
+// The last output of POV-Ray, without its progress reports.
 class LastWords {
   public:
     void add(std::string_view line) {
@@ -74,14 +74,14 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// Said with every failure and no reason for it.
+// Lines that POV-Ray prints with every failure and that give no reason.
 bool is_no_reason(std::string_view line) {
     return line == "Render failed" || line.starts_with("Fatal error in parser") ||
            line.find("povray.conf") != line.npos;
 }
 
-// POV-Ray's own words, on one line: from the first that tells an error, else the last
-// three. It wraps them at 80 columns.
+// POV-Ray's own message on one line: from the first line that names an error, or else the
+// last three lines. POV-Ray wraps messages at 80 columns.
 std::string reason_in(std::string_view text) {
     std::vector<std::string_view> lines = lines_of(text);
     std::erase_if(lines, is_no_reason);
@@ -97,7 +97,7 @@ std::string reason_in(std::string_view text) {
     return reason.empty() ? "it did not say why" : reason.substr(0, kLongestMessage);
 }
 
-// It aborts without a word, or leaves half a picture, where the disk is full.
+// POV-Ray aborts without a message, or leaves half a picture, when the disk is full.
 void expect_space(const fs::path& folder) {
     constexpr std::uintmax_t kLeast = 1u << 20;
     std::error_code error;
@@ -151,7 +151,7 @@ void run_povray(const fs::path& folder, const std::string& name, int threads,
         });
         progress.report(trace.fraction());
     };
-    // +FE: an EXR whatever the .ini says; +V: tells how far it is; -D: no window.
+    // +FE: write an EXR whatever the .ini says; +V: report progress; -D: open no window.
     const auto outcome = outcome_of(povray_program(),
                                     {"./" + file_of(name, ShotFile::kSettings), "+FE",
                                      "+O" + unfinished.picture().filename().string(),

@@ -10,22 +10,22 @@
 namespace cydonia::render {
 namespace {
 
-// Each grid of the pretrace has four times the points of the one before, and the count
-// goes with the points. What the passes take of the pretrace's time was measured on
-// scenes of this repository (bench/progress.sh); the finer, the more is known already.
+// Each grid of the pretrace has four times as many points as the one before, and POV-Ray
+// counts points. A pass takes less than four times as long, because finer grids reuse
+// more samples. The shares of time were measured on scenes/text and scenes/coast.
 constexpr double kCounts[] = {1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0};
 constexpr double kShares[] = {0.035, 0.10, 0.35, 0.515};
-// The time of the trace over that of the pretrace is about kCost * n^1.4, n the pixels
-// between two points of the finest grid: less than their number, since pixels of a large
-// frame differ less and are antialiased less.
+// The trace takes about kCost * n^1.4 times as long as the pretrace, where n pixels lie
+// between two points of the finest grid. The exponent is below 2 because neighbouring
+// pixels of a large frame differ less and need less antialiasing.
 constexpr double kCostGrowth = 1.4;
-constexpr double kCost = 0.4;      // of land seen from the side, half of it in haze
-constexpr double kFineCost = 1.3;  // from above, or with things: each pixel differs
+constexpr double kCost = 0.4;      // land seen from the side, partly in haze
+constexpr double kFineCost = 1.3;  // land seen from above or strewn with things
 
 constexpr std::size_t kStrips = 32;
-constexpr std::size_t kLeastReports = 12;  // fewer tell nothing of strips
-constexpr double kIdle = 0.15;             // of the mean strip's time: the sky
-constexpr double kIdleTime = 0.03;         // what such a strip counts, a busy one 1
+constexpr std::size_t kLeastReports = 12;  // fewer cannot tell strips apart
+constexpr double kIdle = 0.15;      // strips below this share of the mean time are sky
+constexpr double kIdleTime = 0.03;  // weight of a strip of sky; all others have 1
 constexpr double kUnfinished = 0.995;
 
 std::optional<double> number_at(std::string_view text) {
@@ -51,7 +51,7 @@ std::optional<double> count_of(std::string_view line) {
     return std::clamp(*done / *all, 0.0, 1.0);
 }
 
-// How much of a pass's time has gone where it is at `share` of its strips.
+// The share of a pass's time that has passed at `share` of its strips.
 double time_at(const std::vector<double>& strips, double share) {
     if (strips.empty()) return share;
     const double at = share * static_cast<double>(kStrips);
@@ -114,7 +114,7 @@ bool TraceProgress::hear(std::string_view line, double seconds) {
     Pass& pass = passes_[current_];
     const double share =
         std::clamp((*count - pass.from) / (pass.to - pass.from), 0.0, 1.0);
-    // What POV-Ray says at one time is one report.
+    // Lines that arrive together are one report.
     if (!pass.reports.empty() && seconds - pass.reports.back().seconds < 0.05)
         pass.reports.back().share = std::max(pass.reports.back().share, share);
     else
@@ -122,7 +122,7 @@ bool TraceProgress::hear(std::string_view line, double seconds) {
 
     const double rest = left(share, seconds);
     if (rest < 0.0) return true;
-    // Scenes differ: however quick the beginning was, the end is not near.
+    // A quick beginning does not mean that the end is near, so the estimate is capped.
     double expected = 0.0, all = 0.0;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
         all += passes_[i].expected;
@@ -140,7 +140,7 @@ void TraceProgress::go_to(std::size_t pass, double seconds) {
     passes_[current_].begun = seconds;
 }
 
-// The strips of sky take next to no time, all others about the same.
+// Strips of sky take almost no time; all others take about the same time.
 TraceProgress::Strips TraceProgress::strips_of(const Pass& pass, double ended) {
     if (pass.reports.size() < kLeastReports || ended <= pass.begun) return {};
     Strips strips(kStrips, 0.0);
@@ -162,7 +162,7 @@ TraceProgress::Strips TraceProgress::strips_of(const Pass& pass, double ended) {
     return strips;
 }
 
-// Seconds; below 0 where nothing is known yet.
+// The estimated seconds left, or a negative number while nothing is known.
 double TraceProgress::left(double share, double seconds) const {
     const Pass& pass = passes_[current_];
     double expected_before = 0.0, expected_after = 0.0;
@@ -172,7 +172,7 @@ double TraceProgress::left(double share, double seconds) const {
     }
     const double before = pass.begun - passes_[0].begun, gone = seconds - pass.begun;
     if (before <= 0.0) return -1.0;
-    // The further the pass is, the more its own pace counts.
+    // The expected time of the rest of the pass, at the pace of the passes before.
     const double done = time_at(strips_, share);
     const double whole = gone + (1.0 - done) * pass.expected * before / expected_before;
     const double pace = (before + whole) / (expected_before + pass.expected);

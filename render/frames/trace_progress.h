@@ -6,33 +6,34 @@
 
 namespace cydonia::render {
 
-// How far POV-Ray is with a .pov, as a share of the time that it takes. With radiosity
-// POV-Ray goes over the frame five times and more: it gathers light on ever finer grids
-// (the pretrace), counting to 100 % over all of them, then traces the pixels, counting
-// from 0 again. How long each of these passes takes is estimated from those before it.
+// Estimates which share of the time for a frame POV-Ray has used. With radiosity POV-Ray
+// passes over the frame several times: it gathers light on finer and finer grids (the
+// pretrace) while it counts to 100 %, then traces the pixels and counts from 0 again. The
+// time of each pass is estimated from the passes before it.
 class TraceProgress {
   public:
-    // `pov`: the text of the scene, which says whether and how light is gathered.
+    // `pov` is the text of the scene: it says whether and how finely light is gathered.
     explicit TraceProgress(std::string_view pov);
 
-    // A line that POV-Ray printed, so many seconds after its start. False where it tells
-    // no progress.
+    // Takes a line that POV-Ray printed `seconds` after its start. Returns whether the
+    // line reports progress.
     bool hear(std::string_view line, double seconds);
 
-    // 0 to 1; never falls.
+    // From 0 to 1; it never decreases.
     double fraction() const { return fraction_; }
 
   private:
     struct Pass {
-        double expected;     // its share of the time, over that of the whole pretrace
-        double from, to;     // of POV-Ray's count
+        double expected;     // its time, where the whole pretrace takes 1
+        double from, to;     // the part of POV-Ray's count that belongs to it
         double begun = 0.0;  // seconds
         struct Report {
             double share, seconds;
         };
         std::vector<Report> reports;
     };
-    // Which of 32 strips of the frame, in the order in which POV-Ray works, take time.
+    // The relative time that each of 32 strips of the frame takes, in the order in which
+    // POV-Ray traces them.
     using Strips = std::vector<double>;
 
     void set_image(std::string_view line);
@@ -41,12 +42,12 @@ class TraceProgress {
     double left(double share, double seconds) const;
 
     bool has_radiosity_ = false;
-    double pretrace_end_ = 0.04;  // of the frame's width: the finest grid
-    double pixel_cost_ = 0.0;     // of tracing, over that of gathering at one point
+    double pretrace_end_ = 0.04;  // spacing of the finest grid, over the frame's width
+    double pixel_cost_ = 0.0;  // of a traced pixel, where a point of the pretrace costs 1
     std::vector<Pass> passes_;
     std::size_t current_ = 0;
-    Strips strips_;       // of the pass before; empty: not known
-    double counted_ = 0;  // of the count, at last
+    Strips strips_;       // of the previous pass; empty when unknown
+    double counted_ = 0;  // the last count, 0 to 1
     double fraction_ = 0.0;
 };
 

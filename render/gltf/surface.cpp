@@ -13,7 +13,7 @@
 namespace cydonia::render {
 namespace {
 
-// Heights at the centres of the cells of a land so wide.
+// Heights at the centres of the cells of a land of the given size.
 struct Grid {
     const Field<float>& heights;
     double width, depth;  // metres
@@ -29,7 +29,7 @@ struct Grid {
                            point(x, std::min(y + 1, heights.height() - 1));
         return normalized(cross(east, north));
     }
-    // Of the triangles between the samples, corners' normals mixed.
+    // The normal at a point between samples, interpolated over its triangle.
     Vec3 normal_between(double x, double y) const {
         x = std::clamp(x, 0.0, heights.width() - 1.0);
         y = std::clamp(y, 0.0, heights.height() - 1.0);
@@ -43,7 +43,7 @@ struct Grid {
     }
 };
 
-// East along a surface of that normal; north is across both.
+// The direction in the surface that points east.
 Vec3 tangent_of(const Vec3& normal) {
     const Vec3 east{1.0, 0.0, 0.0};
     return normalized(east - dot(east, normal) * normal);

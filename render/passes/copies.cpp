@@ -12,7 +12,7 @@ namespace {
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// As POV-Ray turns about its y: clockwise from above.
+// Clockwise from above, as POV-Ray turns about its y axis.
 Vec3 turned(const Vec3& v, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
     return {c * v.x + s * v.y, c * v.y - s * v.x, v.z};

@@ -7,19 +7,20 @@
 
 namespace cydonia::render {
 
-// What can be known of every pixel besides its colour; docs/passes.md.
+// What is known of every pixel besides its colour (docs/passes.md). A pass is a value, a
+// row of the table below and its layer in passes.cpp.
 enum class Pass {
     kDepth,     // metres along the view's axis
     kPosition,  // world metres: east, north, up
     kNormal,    // world: east, north, up
     kHeight,    // metres
     kSlope,     // degrees
-    kMaterial,  // number in the look
-    kType,      // of the ground, as texture stages have them: 1 for the first by name
+    kMaterial,  // index into the look's materials
+    kType,      // type of the land: 1 for the first by name, 0 for none
     kThing,     // number of its kind in the scene
-    kShadow,    // share of the sun that is hidden from there
-    kSky,       // share of the sky that is seen from there
-    kMotion,    // pixels to the right and down until the next frame, of a sequence
+    kShadow,    // share of the sun that is occluded
+    kSky,       // share of the sky that is visible
+    kMotion,    // pixels to the right and down until the next frame of a sequence
 };
 inline constexpr Name<Pass> kPasses[] = {
     {"depth", Pass::kDepth},   {"position", Pass::kPosition},
@@ -33,7 +34,7 @@ constexpr std::string_view name_of(Pass pass) { return name_in(kPasses, pass); }
 
 struct PassOptions {
     std::vector<Pass> which = values_in(kPasses);
-    bool separate = false;  // a file each, besides the frame, not one of many parts
+    bool separate = false;  // one file for each pass instead of one EXR with all parts
 };
 
 }  // namespace cydonia::render

@@ -12,7 +12,7 @@
 namespace cydonia::render {
 namespace {
 
-// A layer whose values write(pixel, out) sets; of the sky they stay as they are.
+// A layer whose values are set by write(point, pixel, out), or to `of_sky` in the sky.
 template <class Write>
 PassLayer filled(PassLayer layer, const Field<SeenPoint>& points, float of_sky,
                  const Write& write) {
@@ -28,8 +28,8 @@ PassLayer filled(PassLayer layer, const Field<SeenPoint>& points, float of_sky,
     return layer;
 }
 
-// A point's place on a map that covers the land's cells, in the map's cells from the
-// centre of its first.
+// The position of a point on a map that covers the land's cells, in pixels of the map
+// from the centre of its first.
 struct OnMap {
     double x, y;
 };

@@ -25,8 +25,8 @@ using embree::Vertex;
 using embree::vertex;
 
 constexpr int kMaxSide = 16384;
-constexpr int kLandsAround = 2;  // on each side, as the .pov has them
-constexpr int kDiscPairs = 16;   // half the directions to the sun in a penumbra
+constexpr int kLandsAround = 2;  // copies of the land on each side, as in the .pov
+constexpr int kDiscPairs = 16;   // pairs of directions to the sun that sample a penumbra
 constexpr int kTile = 4;         // 4x4 neighbouring pixels are one packet of rays
 constexpr int kRays = kTile * kTile;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ std::array<float, 3> floats(const Vec3& v) {
 }
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// What a ray hit, and how far away, metres.
+// The first hit of a ray and its distance, metres.
 struct Hit {
     double distance = kNever;
     Surface surface = Surface::kSky;
@@ -44,7 +44,8 @@ struct Hit {
     float u = 0.0f, v = 0.0f;
 };
 
-// A level plane, over so many lands on each side of the land, beyond them, or both.
+// A level plane. `lands` copies on each side of the land bound its inside; it exists
+// inside, outside or both.
 struct Plane {
     double height;
     int lands;
@@ -61,8 +62,8 @@ struct ShadowRayOrigin {
 
 }  // namespace
 
-// Embree's x, y and z are metres east, north and up from the middle of the land, over the
-// spacing.
+// Embree's x, y and z are metres east, north and up from the middle of the land, divided
+// by the spacing.
 struct View::Scene {
     Scene(const Terrain& land, const Scenery& scenery);
 
@@ -86,7 +87,7 @@ struct View::Scene {
                     const Vec3& forward) const;
 
     using ShadowRayOrigins = std::array<ShadowRayOrigin, kRays>;
-    using Which = std::array<int, kRays>;  // as Embree wants it: -1 or 0
+    using Which = std::array<int, kRays>;  // -1 or 0, as Embree expects
     ShadowRayOrigin shadow_ray_origin(const SeenPoint& point) const;
     // Of the asked origins those from which the sun is occluded.
     Which occluded(const ShadowRayOrigins& from, const Vec3& to_sun,
@@ -102,7 +103,7 @@ struct View::Scene {
     embree::Scene land;
     std::optional<embree::Scene> around, water, water_around;
     std::optional<Copies> things;
-    bool has_things;  // of the scene; none may be in view
+    bool has_things;  // whether the scene has things, in view or not
     SkyOptions sky;
     bool holds_image;
     std::vector<Plane> planes;
@@ -163,7 +164,7 @@ void View::Scene::lay_land() {
     rtcCommitScene(land.get());
 }
 
-// From the land's rim down to its lowest ground.
+// A side wall from the land's rim down to its lowest height.
 void View::Scene::lay_side(int count, const std::function<Vertex(int)>& rim) {
     embree::lay_grid(device, land, count, 2, [&](Vertex* laid) {
         for (int i = 0; i < count; ++i) {
@@ -184,7 +185,7 @@ void View::Scene::lay_water(const Field<float>& surface) {
     rtcCommitScene(water->get());
 }
 
-// Mirrored at the land's borders.
+// Adds copies of `what`, mirrored at the land's borders.
 void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
     for (int i = -kLandsAround; i <= kLandsAround; ++i)
         for (int j = -kLandsAround; j <= kLandsAround; ++j) {
@@ -250,8 +251,8 @@ SeenPoint View::Scene::point(const Ray& ray, const Hit& hit, bool smooth,
     if (hit.surface == Surface::kLand) {
         const Mesh::Spot s = mesh.spot(at.x, at.y);
         normal = smooth ? mesh.smooth_normal(s) : mesh.face_normal(s);
-        // What is left of single precision would hide the point from itself; never where
-        // the mesh is nearly upright.
+        // Puts the point exactly on the mesh, since rounding could shadow it by itself.
+        // Where the mesh is nearly upright the two heights differ and the hit stays.
         if (std::abs(s.height - at.z) < 0.01 * space.unit) at.z = s.height;
     } else if (hit.surface == Surface::kSide) {
         normal = mesh.side_normal(at);
@@ -279,7 +280,7 @@ ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
         at.z = s.height;
     }
     Vertex from = vertex(to_embree(at));
-    // Off its own leaf, or its own side, which would shade itself.
+    // The origin is moved off a leaf or a side wall, which would shadow itself.
     if (p.surface == Surface::kThing || p.surface == Surface::kSide) {
         const float off = 8.0f * lift;
         return {{from.x + off * p.normal[0], from.y + off * p.normal[1],
@@ -402,8 +403,8 @@ Field<float> View::shadow(const Field<SeenPoint>& points, const Sun& sun,
         for (const Sun& s : suns) result.push_back(direction_to(s));
         return result;
     };
-    // A straight edge that leaves the rim alone, which is that of the square around the
-    // disc, does not cut the disc.
+    // The rim is that of the square around the disc: a straight edge that misses the
+    // square misses the disc.
     const std::vector<Vec3> rim = directions(
         as == SunAs::kDisc ? sun_rim(sun, std::sqrt(2.0)) : std::vector<Sun>{sun});
     const std::vector<Vec3> disc = directions(sun_disc(sun, kDiscPairs));
