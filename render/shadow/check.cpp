@@ -18,13 +18,13 @@ namespace {
 
 using Mask = Field<std::uint8_t>;
 
-// Shadow black, light white, as targets are drawn.
+// A mask as a picture: shadow black and light white, as targets are drawn.
 void write_mask(const fs::path& path, Mask mask) {
     for (auto& m : mask) m = m ? 0 : 255;
     write_png(path, mask);
 }
 
-// White where shadows count.
+// A window as a picture: white where shadows count.
 void write_window(const fs::path& path, Mask window) {
     for (auto& w : window) w = w ? 255 : 0;
     write_png(path, window);
@@ -32,7 +32,7 @@ void write_window(const fs::path& path, Mask window) {
 
 void check_request(const Terrain& terrain) {
     for (const ShadowImage& image : terrain.shadows) check_shapes(terrain.heights, image);
-    // Rounding to 16 bits would hide them.
+    // Checked before rounding to 16 bits hides them.
     if (!std::all_of(terrain.heights.begin(), terrain.heights.end(),
                      [](float h) { return std::isfinite(h); }))
         throw bad_request(
@@ -44,7 +44,7 @@ fs::path place_of(const Terrain& terrain, const ShadowImage& image,
     return terrain.shadows.size() == 1 ? folder : folder / image.name;
 }
 
-// The other image that asks for most of the cells that `image` gave up.
+// The other image that wants most of the cells that were left by `image`.
 std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& all) {
     std::string rival;
     std::size_t most = 0;
@@ -62,16 +62,16 @@ std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& a
     return rival;
 }
 
-// Not up to what is wanted: 0.8498 is not 0.85.
+// Rounded down, so that 0.8498 does not read as 0.85.
 double shown(double iou) { return std::floor(iou * 1000.0) / 1000.0; }
 
-// Shadows are h / tan(elevation) long: the elevation that makes them `times` as long.
+// The elevation that makes shadows, which are h / tan(elevation) long, `times` as long.
 double elevation_for(const Sun& sun, double times) {
     const double wanted = std::atan(std::tan(sun.elevation) / times);
     return std::clamp(degrees(wanted), 3.0, 80.0);
 }
 
-// Where images contradict one another, no land shows them all.
+// Advice for images that contradict one another: no land shows them all.
 std::string about_rivals(const ShadowReport& report) {
     const std::string other =
         report.rival.empty() ? "the other images" : fmt::format("'{}'", report.rival);

@@ -18,8 +18,8 @@ namespace {
 using Mask = Field<std::uint8_t>;
 
 constexpr double kTurns[] = {10, -10, 30, -30, 45, -45, 90, -90, 180};  // degrees
-constexpr double kRaised = 45.0;   // the raised sun's elevation, or
-constexpr double kAtLeast = 20.0;  // so much above the image's own
+constexpr double kRaised = 45.0;   // elevation of the raised sun, degrees, or
+constexpr double kAtLeast = 20.0;  // this much above the image's own sun
 
 std::vector<OtherSun> other_suns(const Sun& own) {
     std::vector<OtherSun> result;
@@ -31,7 +31,7 @@ std::vector<OtherSun> other_suns(const Sun& own) {
     return result;
 }
 
-// What traces are sought of.
+// What traces of an image are measured with.
 struct Sought {
     const Mask& target;
     Mask near;  // its outline

@@ -6,8 +6,8 @@ namespace cydonia::render {
 
 namespace {
 
-// Near Okabe and Ito's palette, moved apart in lightness: any two but the greys differ by
-// 30 CIELAB units or more to the colour-blind (Machado et al. 2009).
+// Close to the palette of Okabe and Ito, with lightness spread: to the colour-blind any
+// two but the greys differ by 30 CIELAB units or more (Machado et al. 2009).
 constexpr Rgb8 kHit{0, 45, 95};           // dark blue
 constexpr Rgb8 kMissed{240, 185, 20};     // yellow
 constexpr Rgb8 kSpurious{215, 100, 140};  // pink
