@@ -7,10 +7,10 @@
 #include <set>
 
 #include "config/reader/elevation_models.h"
-#include "config/reader/library_ttl.h"
 #include "config/reader/mistakes.h"
 #include "config/reader/parse.h"
 #include "config/reader/table.h"
+#include "config/reader/thesis.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -141,7 +141,7 @@ void colour_types(LibraryOptions& library) {
 }
 
 LibraryOptions load_library(const std::filesystem::path& file) {
-    if (file.extension() == ".ttl") return load_ttl(file);
+    if (file.extension() == ".ttl") return load_thesis_library(file);
     const Origins origins{file.string(), {}};
     const Value root = parse(read_text(file, kMostBytes), origins.file);
     Files files(file.parent_path());

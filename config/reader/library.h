@@ -6,7 +6,7 @@
 
 namespace cydonia::config {
 
-// A terrain library, as TOML (or .ttl, library_ttl.h):
+// A terrain library, as TOML (or .ttl, thesis.h):
 //
 //     levels = [90.0]
 //     [[type]]

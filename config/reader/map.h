@@ -8,8 +8,9 @@ namespace cydonia::config {
 
 // A map of terrain types, by its extension:
 //   .toml      [[region]] with type, name and outline; window, smoothness
-//   .geojson   (.json) Polygon and MultiPolygon features with a property "type"
 //   .svg       filled shapes in the types' colours, or called as a type
+//   .geojson (.json), .shp, .gpkg
+//              polygons with an attribute "type" (or "terrain"), read by GDAL's OGR
 //   .map       the thesis' own (Saunders 2006, figure V.10): v, tt and f records
 // Without a window what all regions cover; of a drawing its page. Types may have
 // underscores for spaces. Throws bad_request: file:line: message where there are lines.

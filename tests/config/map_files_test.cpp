@@ -1,4 +1,4 @@
-// Maps of terrain types, as files of four forms.
+// Maps of terrain types, as files of all formats that are text.
 #include "config/reader/map.h"
 
 #include <gtest/gtest.h>
@@ -114,27 +114,30 @@ TEST_F(MapFile, BadGeoJson) {
         return feature(R"({"type":"plain"})",
                        R"({"type":"Polygon","coordinates":)" + rings + "}");
     };
-    refused("{\n\"type\": \n]", "m.geojson:3: ");
-    refused("[]", "expected a FeatureCollection");
-    refused("3", "expected a FeatureCollection");
-    refused(R"({"type":"FeatureCollection"})", "array 'features'");
+    refused("{\n\"type\": \n]", "m.geojson: GDAL cannot read it as GeoJSON");
+    refused("[]", "with a FeatureCollection or a Feature");
+    refused("3", "with a FeatureCollection or a Feature");
+    refused("{\"type\":\"FeatureCollection\",\"features\":[\n]", "line 2, character");
+    refused(R"({"type":"FeatureCollection"})", "Missing 'features' member");
     refused(R"({"type":"FeatureCollection","features":[]})", "it has no regions");
-    refused(R"({"type":"FeatureCollection","features":[7]})",
-            "feature 1: has no geometry");
-    refused(feature("{}", R"({"type":"Polygon","coordinates":[]})"),
-            "feature 1: its properties need a 'type'");
-    refused(polygon("7"), "its coordinates are no array");
-    refused(polygon("[]"), "feature 1: has no outline");
-    refused(polygon("[7]"), "a ring is an array");
-    refused(polygon("[[7]]"), "[east, north]");
-    refused(polygon(R"([[[0,0],["a",0],[0,5],[0,0]]])"), "[east, north]");
+    refused(R"({"type":"FeatureCollection","features":[7]})", "it has no regions");
+    refused(
+        feature("{}", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"),
+        "feature 1: it needs an attribute 'type'");
+    refused(polygon("7"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[7]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[[7]]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon(R"([[[0,0],["a",0],[0,5],[0,0]]])"), "Invalid 'x' coordinate");
+    refused(polygon(R"([[[0,0],[4,0],[0,4],[0,0]],[[0,0],["a",0],[0,5],[0,0]]])"),
+            "Invalid 'x' coordinate");
     refused(polygon("[[[0,0],[1e300,0],[0,5],[0,0]]]"), "more than 1e9 away");
-    refused(polygon("[[[0,0],[1,0],[0,0]]]"), "at least four positions");
-    refused(polygon("[[[0,0],[1,0],[1,1],[0,1]]]"), "ends where it begins");
+    refused(polygon("[[[0,0],[1,0],[0,0]]]"), "fewer than four corners");
+    refused(polygon("[[[0,0],[1,0],[1,1],[0,1]]]"), "does not end where it begins");
     refused(feature(R"({"type":"pl\nain"})",
                     R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"),
-            "need a 'type'");
-    refused(std::string(200000, '['), "m.geojson:1: ");
+            "needs an attribute 'type'");
+    refused(std::string(200000, '['), "m.geojson: ");
 }
 
 // Figure V.10.
@@ -226,7 +229,8 @@ TEST_F(MapFile, BadSvg) {
 }
 
 TEST_F(MapFile, OtherFiles) {
-    expect_refused("m.png", "x", "a map is a .toml, .geojson, .svg or .map file");
+    expect_refused("m.png", "x",
+                   "a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file");
     EXPECT_THROW(load_map(folder / "none.map", library), Error);
     EXPECT_EQ(load("M.MAP", "v 0 0\nv 1 0\nv 0 1\ntt plain\nf 1 2 3\n").regions.size(),
               1u);
