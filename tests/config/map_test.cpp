@@ -104,10 +104,8 @@ TEST_F(Maps, GeoJsonWrong) {
                               R"([[[0,0],[1,0],[1,1],[0,0]]]})"),
               "a.geojson: feature 1: it needs an attribute 'type' that names a terrain "
               "type of the library");
-    EXPECT_EQ(
-        feature(R"({"type":"plain"})", R"({"type":"Polygon"})"),
-        "a.geojson: feature 1: it is of type 'plain' but has no outline that can be "
-        "read; draw its polygon or delete the feature");
+    EXPECT_EQ(feature(R"({"type":"plain"})", R"({"type":"Polygon"})"),
+              "a.geojson: Invalid Polygon object. Missing 'coordinates' member.");
     EXPECT_EQ(
         feature(R"({"type":"plain"})", R"({"type":"Polygon","coordinates":[[[0]]]})"),
         "a.geojson: feature 1: it is of type 'plain' but has no outline that can be "
