@@ -11,7 +11,7 @@
 #include "bench/measure.h"
 #include "field/progress.h"
 #include "field/svg.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"

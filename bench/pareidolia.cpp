@@ -28,7 +28,7 @@
 #include "field/files.h"
 #include "field/image.h"
 #include "field/quantise.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 #include "render/shadow/figures.h"
 #include "render/shadow/overlay.h"
 #include "synth/pareidolia/constrained/contradictions.h"

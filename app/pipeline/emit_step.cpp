@@ -5,8 +5,8 @@
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
-#include "render/camera_view.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
+#include "render/cameras/view.h"
 #include "render/pov/scene.h"
 
 namespace fs = std::filesystem;

@@ -151,11 +151,6 @@ std::uint64_t pixels_of(const render::CameraOptions& camera) {
 
 }  // namespace
 
-std::string_view name_of(render::Quality quality) {
-    constexpr std::string_view kNames[] = {"draft", "preview", "final"};
-    return kNames[static_cast<int>(quality)];
-}
-
 std::uint64_t ocio_hash() {
     const char* ocio = std::getenv("OCIO");
     return ocio ? hash_of_file(ocio) : 0;

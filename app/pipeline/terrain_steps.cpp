@@ -9,7 +9,7 @@
 #include "app/threads.h"
 #include "field/dem.h"
 #include "field/files.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 namespace fs = std::filesystem;
 

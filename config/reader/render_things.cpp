@@ -4,21 +4,8 @@ namespace cydonia::config {
 
 using render::ThingOptions;
 
-namespace {
-
-constexpr Name<ThingOptions::Kind> kKinds[] = {
-    {"conifer", ThingOptions::Kind::kConifer},
-    {"broadleaf", ThingOptions::Kind::kBroadleaf},
-    {"shrub", ThingOptions::Kind::kShrub},
-    {"grass", ThingOptions::Kind::kGrass},
-    {"rock", ThingOptions::Kind::kRock},
-    {"boulder", ThingOptions::Kind::kBoulder},
-};
-
-}  // namespace
-
 void read(Table& t, ThingOptions& thing) {
-    t.required("kind", thing.kind, one_of(kKinds));
+    t.required("kind", thing.kind, one_of(render::kThingKinds));
     t.field("density", thing.density, Number{from(0.0, 1e6)});
     t.field("size", thing.size, Number{from(0.01, 200.0)});
     t.field("slope", thing.slope, Degrees{between(0.0, 90.0)});

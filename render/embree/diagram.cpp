@@ -228,9 +228,9 @@ class Diagram {
     void stroke(Field<float>& ink, int x, int y, const Vec3& way, double length,
                 float strength) const {
         const SeenPoint& p = points_(x, y);
-        const auto from = rays_.place_of(vec(p.at));
+        const auto from = rays_.project(vec(p.at));
         const double step = 1e-3 * std::max(1.0, double(p.depth));
-        const auto to = rays_.place_of(vec(p.at) + step * way);
+        const auto to = rays_.project(vec(p.at) + step * way);
         const double far = std::hypot(to.x - from.x, to.y - from.y);
         if (far < 1e-9) return;
         const double dx = (to.x - from.x) / far, dy = (to.y - from.y) / far;

@@ -2,7 +2,7 @@
 
 #include "field/image.h"
 #include "render/embree/style.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 
 namespace cydonia::render {
 

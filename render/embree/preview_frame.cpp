@@ -7,10 +7,10 @@
 #include "field/parallel.h"
 #include "field/rgb.h"
 #include "field/sample.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
-#include "render/pov/pieces.h"
+#include "render/scene/water.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
@@ -19,11 +19,7 @@ namespace {
 
 constexpr int kLongestGround = 512;  // samples a side that are painted
 constexpr int kDomeHeight = 64;
-constexpr double kWaterIndex = 1.33;
-constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
-constexpr float kWaterClear = 0.8f;
-constexpr Rgb kFlood{0.004f, 0.016f, 0.022f};  // which nothing is seen through
-constexpr double kAmongLeaves = 0.5;           // of the sky that the place sees
+constexpr double kAmongLeaves = 0.5;  // of the sky that the place sees
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -124,8 +120,8 @@ class PreviewLand::Picture {
           view_(land.view),
           rays_(shot.camera),
           to_sun_(direction_to(shot.sun)) {
-        if (!pov::has_haze(shot)) return;
-        air_ = pov::haze_light(shot);
+        if (!has_haze(shot)) return;
+        air_ = haze_light(shot);
         visibility_ =
             visibility(shot.options.sky, shot.options.haze, view_.terrain().width());
     }
@@ -195,7 +191,7 @@ class PreviewLand::Picture {
             lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
         Rgb colour = ground(p);
         if (p.surface == Surface::kWater)
-            colour = is_flood(p) ? kFlood : mixed(kWaterVeil, colour, kWaterClear);
+            colour = is_flood(p) ? kFloodColour : mixed(kWaterVeil, colour, kWaterClear);
         Rgb seen = colour * falling;
         if (p.surface == Surface::kWater) {
             const Vec3 mirrored{ray.direction.x, ray.direction.y,

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "field/image.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 
 namespace cydonia::render {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string_view>
+
+#include "field/enum_names.h"
+
 namespace cydonia::render {
 
 // How a preview shows the land. Grey to ink are those of J. Brosz, "Terrain Modeling by
@@ -13,5 +17,11 @@ enum class Style {
     kContours,  // lit, with lines of equal height and a grid, both at round intervals
     kRadiance,  // grey, crests brightened and hollows darkened
 };
+inline constexpr Name<Style> kStyles[] = {
+    {"natural", Style::kNatural},  {"grey", Style::kGrey}, {"height", Style::kHeight},
+    {"slope", Style::kSlope},      {"ink", Style::kInk},   {"contours", Style::kContours},
+    {"radiance", Style::kRadiance}};
+static_assert(is_complete(kStyles, Style::kRadiance));
+constexpr std::string_view name_of(Style style) { return name_in(kStyles, style); }
 
 }  // namespace cydonia::render

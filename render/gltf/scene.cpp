@@ -12,6 +12,7 @@
 #include "render/gltf/glb.h"
 #include "render/gltf/surface.h"
 #include "render/ground/ground.h"
+#include "render/scene/water.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
@@ -45,7 +46,8 @@ Field<Rgb8> colours_of(const Terrain& terrain, const GroundOptions& ground) {
     return result;
 }
 
-int mesh_of(Glb& glb, const char* name, const Surface& s, int material, bool textured) {
+int mesh_of(Glb& glb, const char* name, const SurfaceMesh& s, int material,
+            bool textured) {
     Json attributes = {{"POSITION", glb.attribute(s.positions, 3)},
                        {"NORMAL", glb.attribute(s.normals, 3)}};
     if (textured) {
@@ -77,7 +79,7 @@ void add_land(Glb& glb, const Terrain& terrain, const GroundOptions& ground,
         {{"name", "ground"},
          {"pbrMetallicRoughness", matt({{"baseColorTexture", {{"index", colour}}}})},
          {"normalTexture", {{"index", normal}}}});
-    const Surface surface = surface_of(coarse, terrain.width(), terrain.depth());
+    const SurfaceMesh surface = surface_mesh(coarse, terrain.width(), terrain.depth());
     const int mesh = mesh_of(glb, "land", surface, material, true);
     glb.add("nodes", {{"name", "land"}, {"mesh", mesh}});
     made.samples = {coarse.width(), coarse.height()};
@@ -100,15 +102,14 @@ Terrain coarse_land(const Terrain& terrain, const Field<float>& coarse) {
 }
 
 void add_water(Glb& glb, const Terrain& terrain, const Terrain& coarse) {
-    const Surface surface = water_of(coarse, terrain.width(), terrain.depth());
+    const SurfaceMesh surface = water_mesh(coarse, terrain.width(), terrain.depth());
     if (surface.indices.empty()) return;
-    const int material =
-        glb.add("materials", {{"name", "water"},
-                              {"alphaMode", "BLEND"},
-                              {"pbrMetallicRoughness",
-                               {{"baseColorFactor", {0.02, 0.06, 0.08, 0.85}},
-                                {"metallicFactor", 0.0},
-                                {"roughnessFactor", 0.1}}}});
+    const int material = glb.add("materials", {{"name", "water"},
+                                               {"alphaMode", "BLEND"},
+                                               {"pbrMetallicRoughness",
+                                                {{"baseColorFactor", kPlainWater},
+                                                 {"metallicFactor", 0.0},
+                                                 {"roughnessFactor", 0.1}}}});
     glb.add("nodes", {{"name", "water"},
                       {"mesh", mesh_of(glb, "water", surface, material, false)}});
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "field/terrain.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 
 namespace cydonia::render {
 

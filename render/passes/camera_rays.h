@@ -20,12 +20,12 @@ class CameraRays {
     // to the right, y down, and pixel (i, j) has its centre at (i + 0.5, j + 0.5).
     Ray through(double x, double y) const;
 
-    // The same the other way: where a world point is in the frame, and how far it is
-    // along the view's axis (below 0: behind the camera), metres.
-    struct Place {
-        double x, y, z;
+    // The same the other way: where a world point is in the frame, pixels, and how far
+    // along the view's axis (negative behind the camera), metres.
+    struct FramePoint {
+        double x, y, depth;
     };
-    Place place_of(const Vec3& point) const;
+    FramePoint project(const Vec3& point) const;
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -95,8 +95,8 @@ std::uint8_t Copies::add_original(RTCDevice device, ThingOptions::Kind kind, int
     return first;
 }
 
-Copies::Hit Copies::hit(unsigned instance, unsigned geometry, unsigned triangle, double u,
-                        double v) const {
+Copies::Facet Copies::facet(unsigned instance, unsigned geometry, unsigned triangle,
+                            double u, double v) const {
     const Copy& copy = copies_[instance];
     const auto shape = std::uint8_t(copy.first_shape + geometry);
     const auto& [part, normals] = shapes_[shape];

@@ -38,13 +38,13 @@ class Copies {
     bool empty() const { return copies_.empty(); }
     RTCSceneTy* scene() const;  // instances
 
-    struct Hit {
+    struct Facet {
         std::uint8_t kind;   // of the scene's
         std::uint8_t shape;  // of shapes()
         Vec3 normal;         // in the world, of either side
     };
-    Hit hit(unsigned instance, unsigned geometry, unsigned triangle, double u,
-            double v) const;
+    Facet facet(unsigned instance, unsigned geometry, unsigned triangle, double u,
+                double v) const;
     const std::vector<Shape>& shapes() const { return shapes_; }
 
   private:

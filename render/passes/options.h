@@ -1,7 +1,9 @@
 #pragma once
 
-#include <iterator>
+#include <string_view>
 #include <vector>
+
+#include "field/enum_names.h"
 
 namespace cydonia::render {
 
@@ -19,13 +21,18 @@ enum class Pass {
     kSky,       // share of the sky that is seen from there
     kMotion,    // pixels to the right and down until the next frame, of a sequence
 };
-inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
-                                      Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
-                                      Pass::kType,   Pass::kThing,    Pass::kShadow,
-                                      Pass::kSky,    Pass::kMotion};
+inline constexpr Name<Pass> kPasses[] = {
+    {"depth", Pass::kDepth},   {"position", Pass::kPosition},
+    {"normal", Pass::kNormal}, {"height", Pass::kHeight},
+    {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
+    {"type", Pass::kType},     {"thing", Pass::kThing},
+    {"shadow", Pass::kShadow}, {"sky", Pass::kSky},
+    {"motion", Pass::kMotion}};
+static_assert(is_complete(kPasses, Pass::kMotion));
+constexpr std::string_view name_of(Pass pass) { return name_in(kPasses, pass); }
 
 struct PassOptions {
-    std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};
+    std::vector<Pass> which = values_in(kPasses);
     bool separate = false;  // a file each, besides the frame, not one of many parts
 };
 

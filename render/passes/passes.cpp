@@ -132,8 +132,8 @@ PassLayer motion_pass(const Field<SeenPoint>& points, const CameraRays& now,
     return filled({"motion", {"motion.X", "motion.Y"}, false, {}}, points, 0.0f,
                   [&](const SeenPoint& p, std::size_t, float* out) {
                       const Vec3 at{p.at[0], p.at[1], p.at[2]};
-                      const auto from = now.place_of(at), to = then.place_of(at);
-                      if (to.z <= 0.0) return;
+                      const auto from = now.project(at), to = then.project(at);
+                      if (to.depth <= 0.0) return;
                       out[0] = static_cast<float>(to.x - from.x);
                       out[1] = static_cast<float>(to.y - from.y);
                   });

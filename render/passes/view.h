@@ -9,7 +9,7 @@
 #include "field/field.h"
 #include "field/terrain.h"
 #include "render/passes/camera_rays.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 #include "render/things/placement.h"
 
 namespace cydonia::render {

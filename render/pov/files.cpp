@@ -96,9 +96,9 @@ Pause_When_Done=Off
 // POV-Ray's fog lies over the sky too.
 Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
     Field<Rgb> dome = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
-    if (!pov::has_haze(shot)) return dome;
+    if (!has_haze(shot)) return dome;
     const double eye = shot.camera.eye.z - std::ranges::min(terrain.heights);
-    return behind_haze(dome, pov::haze_light(shot),
+    return behind_haze(dome, haze_light(shot),
                        visibility(shot.options.sky, shot.options.haze, terrain.width()),
                        eye);
 }

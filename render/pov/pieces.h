@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "field/quantise.h"
-#include "render/camera_view.h"
-#include "render/pov/scene.h"
-#include "render/pov/water.h"
+#include "render/cameras/view.h"
+#include "render/scene/shot.h"
+#include "render/scene/water.h"
 
 // The .pov in pieces, each a block of text that says what it does. The pieces use the
 // names that land_numbers() and light_numbers() declare.
@@ -23,8 +23,6 @@ std::string numbers(const Rgb& colour);
 // Whether light between the slopes is traced (radiosity) or taken from the visibility
 // map.
 bool has_radiosity(Quality quality);
-// A map has no haze: it would only veil.
-bool has_haze(const Shot& shot);
 
 std::string land_numbers(const Heights16& heights, double spacing);
 std::string light_numbers(const Shot& shot, double land_width);
@@ -32,7 +30,6 @@ std::string settings(const Shot& shot);
 std::string camera(const Shot& shot);
 std::string sun(const Shot& shot);
 std::string sky(const Shot& shot);
-Rgb haze_light(const Shot& shot);
 std::string haze();
 bool has_stars(const Shot& shot);
 std::string stars(const Shot& shot);

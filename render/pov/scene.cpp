@@ -7,7 +7,6 @@
 
 #include "field/error.h"
 #include "render/pov/pieces.h"
-#include "render/sky/haze.h"
 
 namespace cydonia::render {
 namespace pov {
@@ -33,11 +32,6 @@ std::string numbers(const Rgb& colour) {
 }
 
 bool has_radiosity(Quality quality) { return quality != Quality::kDraft; }
-
-bool has_haze(const Shot& shot) {
-    return shot.camera.projection == Camera::Projection::kPerspective &&
-           visibility(shot.options.sky, shot.options.haze, 1.0) > 0.0;
-}
 
 namespace {
 
@@ -83,7 +77,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::camera(shot);
     text += pov::sun(shot);
     text += pov::sky(shot);
-    if (pov::has_haze(shot)) text += pov::haze();
+    if (has_haze(shot)) text += pov::haze();
     if (pov::has_stars(shot)) text += pov::stars(shot);
     text += pov::ground(shot);
     text += pov::outskirts(shot, heights, water && water->sea);

@@ -5,25 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "field/camera.h"
 #include "field/quantise.h"
 #include "field/terrain.h"
-#include "render/options.h"
-#include "render/pov/water.h"
+#include "render/scene/shot.h"
+#include "render/scene/water.h"
 
 namespace cydonia::render {
-
-// One frame to be drawn: everything the .pov says, resolved.
-struct Shot {
-    std::string title;  // for the comment at the top; any bytes
-    std::string name;   // file-name-safe; the .pov and the frame are called after it
-    Camera camera;
-    Sun sun;
-    Options options;
-    Quality quality = Quality::kPreview;
-    Around around = Around::kLevel;
-    bool smooth = false;  // is_smooth (render/camera_view.h)
-};
 
 // The .pov as text, commented, to run with plain `povray` in the folder of its assets.
 // Pure. `added`: files that what the caller appends to it needs.

@@ -6,7 +6,7 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/image.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 #include "render/shadow/overlay.h"
 #include "render/shadow/sun_clock.h"
 

@@ -11,7 +11,7 @@
 #include "field/random.h"
 #include "field/sample.h"
 #include "field/smoothstep.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/things/originals.h"
 
 namespace cydonia::render {

@@ -8,7 +8,7 @@
 
 #include "field/error.h"
 #include "field/sun_path.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace cydonia {
 namespace {

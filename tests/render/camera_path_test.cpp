@@ -1,4 +1,4 @@
-#include "render/camera_path.h"
+#include "render/cameras/path.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "field/error.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace cydonia::render {
 namespace {

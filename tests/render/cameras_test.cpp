@@ -1,4 +1,4 @@
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 #include <gtest/gtest.h>
 

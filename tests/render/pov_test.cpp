@@ -12,7 +12,7 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/image.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"
 #include "tests/field/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include "field/error.h"
 #include "field/svg_camera.h"
-#include "render/camera_checks.h"
-#include "render/camera_path.h"
-#include "render/camera_view.h"
+#include "render/cameras/checks.h"
+#include "render/cameras/path.h"
+#include "render/cameras/view.h"
 
 namespace cydonia::render {
 namespace {

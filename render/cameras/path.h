@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "field/vec.h"
-#include "render/camera_options.h"
+#include "render/cameras/options.h"
 
 namespace cydonia::render {
 

@@ -1,4 +1,4 @@
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 
 #include <cmath>
 #include <limits>

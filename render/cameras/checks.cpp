@@ -1,10 +1,10 @@
-#include "render/camera_checks.h"
+#include "render/cameras/checks.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "field/error.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 
 namespace cydonia::render {
 namespace {

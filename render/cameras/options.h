@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "field/enum_names.h"
 #include "field/length.h"
 #include "field/source.h"
 #include "field/sun.h"
@@ -18,7 +19,7 @@ struct CameraKey {
     std::array<Length, 3> target{};  // x east, y north, z above the ground there
 };
 
-// A camera as a scene describes it; placed over a terrain by render/cameras.h.
+// A camera as a scene describes it; placed over a terrain by render/cameras/cameras.h.
 struct CameraOptions {
     enum class Kind {
         kOverhead,  // orthographic, straight down, north up, the whole extent
@@ -67,5 +68,15 @@ struct CameraOptions {
                             1080};  // pixels at final quality; draft a third, preview two
     std::optional<Sun> sun;         // default: the scene's
 };
+
+inline constexpr Name<CameraOptions::Kind> kCameraKinds[] = {
+    {"overhead", CameraOptions::Kind::kOverhead},
+    {"oblique", CameraOptions::Kind::kOblique},
+    {"orbit", CameraOptions::Kind::kOrbit},
+    {"look_at", CameraOptions::Kind::kLookAt},
+    {"stand", CameraOptions::Kind::kStand},
+    {"path", CameraOptions::Kind::kPath},
+    {"drawing", CameraOptions::Kind::kDrawing}};
+static_assert(is_complete(kCameraKinds, CameraOptions::Kind::kDrawing));
 
 }  // namespace cydonia::render

@@ -1,4 +1,4 @@
-#include "render/camera_path.h"
+#include "render/cameras/path.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,8 +2,8 @@
 
 #include "field/camera.h"
 #include "field/terrain.h"
-#include "render/camera_options.h"
-#include "render/camera_path.h"
+#include "render/cameras/options.h"
+#include "render/cameras/path.h"
 
 // What a camera may not do. Each throws bad_request, naming the camera and what to
 // change.
