@@ -172,7 +172,7 @@ double refraction(double elevation) {
     return radians(seconds / 3600.0);
 }
 
-Sun sun_at(const Place& place, const Date& date, double utc_hour, bool air) {
+Sun sun_at(const GeographicPosition& place, const Date& date, double utc_hour, bool air) {
     const SolarTime time = solar_time(date, utc_hour);
     const double hour_angle =
         radians(15.0 * (utc_hour - 12.0) + time.equation / 4.0) + place.longitude;
@@ -186,7 +186,7 @@ double angle_between(const Sun& a, const Sun& b) {
     return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
-SunPath sun_path(const Place& place, const Date& date, double time_zone) {
+SunPath sun_path(const GeographicPosition& place, const Date& date, double time_zone) {
     return [=](double hour) { return sun_at(place, date, hour - time_zone); };
 }
 
@@ -216,8 +216,8 @@ Approach nearest(const SunPath& path, const Sun& wanted, const Hours& hours) {
     return {hour, path(hour), off(hour)};
 }
 
-std::vector<DayApproach> approaches_in(int year, const Place& place, double time_zone,
-                                       const Sun& wanted) {
+std::vector<DayApproach> approaches_in(int year, const GeographicPosition& place,
+                                       double time_zone, const Sun& wanted) {
     std::vector<DayApproach> days;
     for (long day = day_number({year, 1, 1}); day < day_number({year + 1, 1, 1}); ++day) {
         const Date date = date_of_day(day);

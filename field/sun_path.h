@@ -15,9 +15,9 @@ namespace cydonia {
 // Angles in radians, hours as a clock shows them; the Gregorian calendar.
 
 // On the Earth; latitude north and longitude east are positive.
-struct Place {
+struct GeographicPosition {
     double latitude = 0.0, longitude = 0.0;
-    bool operator==(const Place&) const = default;
+    bool operator==(const GeographicPosition&) const = default;
 };
 
 struct Date {
@@ -47,7 +47,8 @@ Sun sun_over(double latitude, double declination, double hour_angle);
 // What the air lifts a sun that stands there without air; NOAA's approximation.
 double refraction(double elevation);
 // With `air` as it is seen and as it throws shadows, lifted by refraction.
-Sun sun_at(const Place& place, const Date& date, double utc_hour, bool air = true);
+Sun sun_at(const GeographicPosition& place, const Date& date, double utc_hour,
+           bool air = true);
 
 // The angle between two suns as seen from the ground.
 double angle_between(const Sun& a, const Sun& b);
@@ -55,7 +56,7 @@ double angle_between(const Sun& a, const Sun& b);
 // The sun over a day by the hour of a clock; any hour, also of the days before and after.
 using SunPath = std::function<Sun(double hour)>;
 // `time_zone`: hours that the clock is ahead of UTC.
-SunPath sun_path(const Place& place, const Date& date, double time_zone);
+SunPath sun_path(const GeographicPosition& place, const Date& date, double time_zone);
 // By a sundial, without air.
 SunPath sun_path(double latitude, double declination);
 
@@ -82,8 +83,8 @@ struct DayApproach {
     Date date;
     Approach approach;
 };
-std::vector<DayApproach> approaches_in(int year, const Place& place, double time_zone,
-                                       const Sun& wanted);
+std::vector<DayApproach> approaches_in(int year, const GeographicPosition& place,
+                                       double time_zone, const Sun& wanted);
 
 // A latitude and a season whose sun passes through `sun`: declinations are those of the
 // real sun, the latitude the one nearest to 40 degrees north or south.

@@ -25,7 +25,7 @@ struct ShadowImage {
     Field<std::uint8_t> window = {};
     // Same shape, 1 where this image gave way because others contradict it; empty:
     // nowhere.
-    Field<std::uint8_t> given_up = {};
+    Field<std::uint8_t> relaxed = {};
 };
 
 // In Terrain::water: no water.

@@ -13,7 +13,7 @@ using distance::Group;
 using distance::Map;
 using distance::Options;
 using distance::Profile;
-using distance::Region;
+using distance::RegionOptions;
 using distance::Water;
 
 namespace {
@@ -40,7 +40,7 @@ void read(Table& t, Map& map, const Range& range) {
     t.required("range", map.range, Number{range});
 }
 
-void read(Table& t, Region& region, const Names& names) {
+void read(Table& t, RegionOptions& region, const Names& names) {
     const GroupName group{names.groups, ""};
     t.field("image", region.image, File{});
     t.field("inside", region.inside, group);
@@ -121,7 +121,7 @@ std::vector<std::string> wanted_profiles(const Options& o) {
         std::ranges::for_each(group.profile, want);
         want(group.other_side);
     }
-    for (const Region& region : o.regions) want(region.profile);
+    for (const RegionOptions& region : o.regions) want(region.profile);
     for (const Water& water : o.water) want(water.bed);
     return wanted;
 }

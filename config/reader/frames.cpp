@@ -80,7 +80,7 @@ void read(Table& t, FramesSpec& frames,
 
 }  // namespace
 
-void read(Table& t, Place& place) {
+void read(Table& t, GeographicPosition& place) {
     t.required("latitude", place.latitude, Degrees{from(-90.0, 90.0)});
     t.required("longitude", place.longitude, Degrees{from(-180.0, 180.0)});
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kTolerance = 0.0005;  // of the page
 constexpr int kNear = 48;              // a channel, as paintings allow
 
-int unlikeness(const Colour::Rgb& a, const Colour::Rgb& b) {
+int dissimilarity(const Colour::Rgb& a, const Colour::Rgb& b) {
     int most = 0;
     for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
@@ -35,8 +35,9 @@ std::string type_of(const SvgPath& path, const genetic::LibraryOptions& library)
     if (!path.fill) return {};
     const auto nearest = std::ranges::min_element(
         library.types, {},
-        [&](const auto& type) { return unlikeness(type.colour, *path.fill); });
-    if (nearest == library.types.end() || unlikeness(nearest->colour, *path.fill) > kNear)
+        [&](const auto& type) { return dissimilarity(type.colour, *path.fill); });
+    if (nearest == library.types.end() ||
+        dissimilarity(nearest->colour, *path.fill) > kNear)
         return {};
     return nearest->name;
 }

@@ -37,9 +37,10 @@ struct FramesSpec {
     std::optional<int> count;  // none: as many as the keys need, else 48
     double rate = 24.0;        // frames a second
     Pace pace = Pace::kLingering;
-    double hold = 1.0;                // seconds that the video stands still on the image
-    std::string camera;               // empty: the first that suits the sequence
-    std::optional<Place> place;       // none: an arc through the first image's sun
+    double hold = 1.0;   // seconds that the video stands still on the image
+    std::string camera;  // empty: the first that suits the sequence
+    std::optional<GeographicPosition>
+        place;                        // none: an arc through the first image's sun
     std::optional<Date> date;         // with a place
     std::optional<double> time_zone;  // hours ahead of UTC; none: by the longitude
 };

@@ -22,7 +22,7 @@ struct ShadowReport {
     Sun sun;
     double min_iou = 0.0;
     ShadowScore score;       // in the image's window
-    double given_up = 0.0;   // share of the window's cells that gave way to other images,
+    double relaxed = 0.0;    // share of the window's cells that gave way to other images,
     std::string rival = {};  // mostly to this one
     std::optional<double> standing_out = {};  // where it was measured (figures.h)
 

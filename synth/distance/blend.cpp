@@ -152,7 +152,7 @@ struct Work {
     const Halting& halting;
     const std::vector<float>& approximate;
     const Weights& weights;
-    const Onlookers& onlookers;
+    const Observers& observers;
 };
 
 // A feature on its way through the pipeline.
@@ -162,7 +162,7 @@ struct Ticket {
     std::vector<Share> shares;
 
     void go(const Work& work, LeastCost& paths) {
-        const PassMemory* memory = work.onlookers.memory;
+        const PassMemory* memory = work.observers.memory;
         auto known =
             memory ? memory->recalled(feature, work.approximate, paths) : std::nullopt;
         pass = known ? std::move(*known)
@@ -199,10 +199,10 @@ void sum_features(const Work& work, int threads, Sums& sums, Progress& progress,
         const Pass& pass = ticket->pass;
         counts.features += pass.nodes.size();
         counts.recalled += pass.nodes.size() - std::min(pass.settled, pass.nodes.size());
-        if (Explainer* explainer = work.onlookers.explainer) {
+        if (Explainer* explainer = work.observers.explainer) {
             explainer->pass(ticket->feature, pass);
         }
-        if (PassMemory* memory = work.onlookers.memory) {
+        if (PassMemory* memory = work.observers.memory) {
             memory->keep(ticket->feature, pass, work.approximate);
         }
         progress.report((ticket->feature + 1.0) / count);
@@ -234,9 +234,9 @@ Field<float> by_sample(const Graph& graph, const std::vector<float>& values) {
 Field<float> blended_heights(const Ground& ground, const Halting& halting,
                              const BlendOptions& options,
                              const std::vector<float>& approximate, Progress& progress,
-                             const Onlookers& onlookers, PassCounts* counts) {
+                             const Observers& observers, PassCounts* counts) {
     const Weights weights(ground, halting, options, approximate);
-    const Work work{ground, halting, approximate, weights, onlookers};
+    const Work work{ground, halting, approximate, weights, observers};
     PassCounts counted;
     Sums sums(ground.graph.nodes());
     const int threads = threads_for(ground.graph.nodes());

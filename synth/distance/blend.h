@@ -23,7 +23,7 @@ struct PassCounts {
 };
 
 // Who looks on. Either may be null.
-struct Onlookers {
+struct Observers {
     PassMemory* memory = nullptr;
     class Explainer* explainer = nullptr;
 };
@@ -34,7 +34,7 @@ struct Onlookers {
 Field<float> blended_heights(const Ground& ground, const Halting& halting,
                              const BlendOptions& options,
                              const std::vector<float>& approximate, Progress& progress,
-                             const Onlookers& onlookers = {},
+                             const Observers& observers = {},
                              PassCounts* counts = nullptr);
 
 // Values by node, of the graph's samples.

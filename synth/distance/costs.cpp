@@ -120,7 +120,7 @@ void CostPattern::enter(const Shape& shape, int i) {
     if (rule_.kind == Kind::kGaussian) {
         double end = -1e300;
         begin_ = 1e300;
-        for (const Place& p : shape.places) {
+        for (const SitePoint& p : shape.places) {
             const double way =
                 p.x * std::sin(rule_.azimuth) - p.y * std::cos(rule_.azimuth);
             begin_ = std::min(begin_, way);
@@ -166,7 +166,7 @@ Range CostPattern::raw_range() const {
     }
 }
 
-double CostPattern::raw(const Place& place) const {
+double CostPattern::raw(const SitePoint& place) const {
     const double usual = kUsual * site_->width;
     switch (rule_.kind) {
         case Kind::kNoise:
@@ -218,7 +218,7 @@ double CostPattern::drawn_share(double t) const {
     return 1.0 - std::lerp(before.f, after->f, (t - before.x) / (after->x - before.x));
 }
 
-double CostPattern::at(const Place& place) const {
+double CostPattern::at(const SitePoint& place) const {
     double value = raw(place);
     if (rule_.inverted) value = source_.least + source_.greatest - value;
     if (!rule_.range && !rule_.share) return value;
@@ -233,9 +233,9 @@ void set_costs(std::vector<Shape>& shapes, const Group& group, const Site& site,
     CostPattern pattern(group.cost, group.name, site, reference, noises);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         pattern.enter(shapes[i], static_cast<int>(i));
-        for (std::vector<Place>* places : {&shapes[i].places, &shapes[i].land}) {
+        for (std::vector<SitePoint>* places : {&shapes[i].places, &shapes[i].land}) {
             parallel_for(static_cast<int>(places->size()), 256, [&](int p) {
-                Place& place = (*places)[p];
+                SitePoint& place = (*places)[p];
                 place.cost = static_cast<float>(std::max(0.0, pattern.at(place)));
             });
         }

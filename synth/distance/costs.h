@@ -32,7 +32,7 @@ class CostPattern {
 
     // The i-th feature of the group is what at() is asked about from now on.
     void enter(const Shape& shape, int i);
-    double at(const Place& place) const;
+    double at(const SitePoint& place) const;
 
     // The rule's least and greatest value for the feature: of sums and minima, bounds.
     CostRange range() const {
@@ -40,7 +40,7 @@ class CostPattern {
     }
 
   private:
-    double raw(const Place& place) const;
+    double raw(const SitePoint& place) const;
     CostRange raw_range() const;
     double drawn_share(double along) const;
 

@@ -31,7 +31,7 @@ struct alignas(16) Label {
     static constexpr std::uint8_t kStart = 255;
 
     float cost = kUnreached;
-    float length = 0.0f;              // along the path, as its growth counts it
+    float length = 0.0f;              // along the path, as its model counts it
     int origin = -1;                  // index of the start
     std::uint8_t direction = kStart;  // of the edge that the path came by
     std::uint8_t way = 0;             // of growing, for growths that have several,
@@ -40,7 +40,7 @@ struct alignas(16) Label {
 };
 static_assert(sizeof(Label) == 16);
 
-// How cost grows along a path, synth/distance/growth.h. A growth has
+// How cost grows along a path, synth/distance/cost_model.h. A model has
 //   Label begin(int origin) const               at a start
 //   auto from(int node, const Label&) const     a function of (direction, neighbour,
 //       length): the Label that the path has there when it is that long, its cost above
@@ -84,17 +84,17 @@ class LeastCost {
 
     // Labels what can be reached from the starts; forgets the pass before. A node for
     // which expand(node, cost) is false keeps its label but is not searched on from.
-    template <class Growth, class Expand = ExpandAll>
-    void spread(std::span<const Start> starts, const Growth& growth,
+    template <class CostModel, class Expand = ExpandAll>
+    void spread(std::span<const Start> starts, const CostModel& model,
                 const Expand& expand = {}) {
-        begin_pass(growth);
+        begin_pass(model);
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            Label label = growth.begin(static_cast<int>(i));
+            Label label = model.begin(static_cast<int>(i));
             label.origin = static_cast<int>(i);
             label.direction = Label::kStart;
-            improve(starts[i].node, label, growth);
+            improve(starts[i].node, label, model);
         }
-        settle(growth, expand);
+        settle(model, expand);
     }
 
     // What a pass left behind: nodes, each after those of its path, with their labels and
@@ -105,15 +105,15 @@ class LeastCost {
         std::vector<std::uint8_t> expanded;
     };
 
-    // The labels that spread() would find with the same starts and growth, from those of
+    // The labels that spread() would find with the same starts and model, from those of
     // a pass with another `expand`: keeps what still holds and settles only the rest
     // (Ramalingam and Reps 1996, for one source). Returns how many nodes it settled; none
     // where a label that held does not follow from the one before it any more: with
     // several starts a cheaper beginning may lead to a dearer end.
-    template <class Growth, class Expand>
-    std::optional<std::size_t> spread_again(const Trace& trace, const Growth& growth,
+    template <class CostModel, class Expand>
+    std::optional<std::size_t> spread_again(const Trace& trace, const CostModel& model,
                                             const Expand& expand) {
-        begin_pass(growth);
+        begin_pass(model);
         std::vector<int> held, again;
         for (std::size_t i = 0; i < trace.nodes.size(); ++i) {
             const int node = trace.nodes[i];
@@ -138,12 +138,12 @@ class LeastCost {
         }
         sort_uniquely(again);
         for (int node : again) {
-            queue_.push(growth.key(labels_[node].cost), labels_[node].cost, node);
+            queue_.push(model.key(labels_[node].cost), labels_[node].cost, node);
         }
-        settle(growth, expand);
+        settle(model, expand);
         const std::size_t count = settled_.size();
         settled_.insert(settled_.end(), held.begin(), held.end());
-        const auto sound = [&](int node) { return follows(node, growth); };
+        const auto sound = [&](int node) { return follows(node, model); };
         if (!std::ranges::all_of(held, sound)) return std::nullopt;
         sort_uniquely(settled_);
         std::ranges::sort(settled_, {}, [&](int node) { return labels_[node].cost; });
@@ -161,32 +161,31 @@ class LeastCost {
     }
 
     // Whether a label is what the one before it grows to.
-    template <class Growth>
-    bool follows(int node, const Growth& growth) const {
+    template <class CostModel>
+    bool follows(int node, const CostModel& model) const {
         const Label& label = labels_[node];
         if (label.direction == Label::kStart) return true;
         const int before = node - graph_->step[label.direction];
         const Label& from = labels_[before];
         const float length = from.length + graph_->edge(before, label.direction);
         return from.origin == label.origin &&
-               growth.from(before, from)(label.direction, node, length).cost ==
-                   label.cost;
+               model.from(before, from)(label.direction, node, length).cost == label.cost;
     }
 
-    template <class Growth>
-    void begin_pass(const Growth& growth) {
+    template <class CostModel>
+    void begin_pass(const CostModel& model) {
         for (int node : settled_) labels_[node] = Label{};
         settled_.clear();
         // A little narrower than the least step, for the rounding of keys.
-        queue_.reset(0.95f * growth.least_step(least_edge_));
+        queue_.reset(0.95f * model.least_step(least_edge_));
     }
 
-    template <class Growth, class Expand>
-    void settle(const Growth& growth, const Expand& expand) {
+    template <class CostModel, class Expand>
+    void settle(const CostModel& model, const Expand& expand) {
         if (graph_->directions == 8) {
-            settle_all<4>(growth, expand);
+            settle_all<4>(model, expand);
         } else {
-            settle_all<8>(growth, expand);
+            settle_all<8>(model, expand);
         }
     }
 
@@ -197,19 +196,19 @@ class LeastCost {
         return a.direction < b.direction;
     }
 
-    template <class Growth>
-    void improve(int node, const Label& label, const Growth& growth) {
+    template <class CostModel>
+    void improve(int node, const Label& label, const CostModel& model) {
         Label& known = labels_[node];
         if (label.cost < known.cost) {
             known = label;
-            queue_.push(growth.key(label.cost), label.cost, node);
+            queue_.push(model.key(label.cost), label.cost, node);
         } else if (label.cost == known.cost && before(label, known)) {
             known = label;  // in the queue already
         }
     }
 
-    template <int kHalf, class Growth, class Expand>
-    void settle_all(const Growth& growth, const Expand& expand) {
+    template <int kHalf, class CostModel, class Expand>
+    void settle_all(const CostModel& model, const Expand& expand) {
         using Entry = BucketQueue::Entry;
         const float* const weights = graph_->weights.data();
         const auto row = [](int node) { return static_cast<std::size_t>(node) * kHalf; };
@@ -233,7 +232,7 @@ class LeastCost {
                 neighbours[direction] = neighbour;
                 lengths[direction] = length;
                 bool better = known.cost > label.cost;  // no edge costs nothing
-                if constexpr (Growth::kOneWay) {
+                if constexpr (CostModel::kOneWay) {
                     better &= (known.origin != label.origin) | (length <= known.length);
                 }
                 worth |= static_cast<std::uint32_t>(better) << direction;
@@ -243,13 +242,13 @@ class LeastCost {
                 look(d, node + step, weights[row(node) + d]);
                 look(d + kHalf, node - step, weights[row(node - step) + d]);
             }
-            const auto grow = growth.from(node, label);
+            const auto grow = model.from(node, label);
             for (; worth != 0; worth &= worth - 1) {
                 const int direction = std::countr_zero(worth);
                 Label there = grow(direction, neighbours[direction], lengths[direction]);
                 there.origin = label.origin;
                 there.direction = static_cast<std::uint8_t>(direction);
-                improve(neighbours[direction], there, growth);
+                improve(neighbours[direction], there, model);
             }
         });
     }

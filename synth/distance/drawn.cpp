@@ -75,11 +75,11 @@ const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int 
 void refine(std::vector<Shape*> shapes, const Field<Owner>& owners,
             const Colours& colours, const Colours& fine, const Site& site) {
     const Graph& land = site.graph;
-    std::vector<std::vector<Place>> places(shapes.size());
+    std::vector<std::vector<SitePoint>> places(shapes.size());
     for (int y = 0; y < land.height; ++y) {
         for (int x = 0; x < land.width; ++x) {
             if (fine(x, y) == 0) continue;
-            Place place = site.centre_of(land, land.node(x, y));
+            SitePoint place = site.centre_of(land, land.node(x, y));
             const Owner* owner = owner_near(
                 owners, colours, static_cast<int>(place.x / site.width * site.columns),
                 static_cast<int>(place.y / site.depth * site.rows), fine(x, y));
@@ -103,33 +103,33 @@ DrawnStrokes::DrawnStrokes(const Site& site) {
             return same(picture.source, strokes->image);
         });
         if (!known)
-            pictures_.push_back({strokes->image, pieces_in(strokes->image, site)});
+            pictures_.push_back({strokes->image, components_in(strokes->image, site)});
     }
 }
 
-std::vector<DrawnStrokes::Piece> DrawnStrokes::pieces_in(const Source& source,
-                                                         const Site& site) {
+std::vector<DrawnStrokes::Component> DrawnStrokes::components_in(const Source& source,
+                                                                 const Site& site) {
     const std::vector<Colour> palette = palette_of(site.options, source);
     const Colours colours =
         colours_of(read_strokes(source, site.columns, site.rows, palette));
-    const std::vector<std::vector<int>> found = pieces_of(colours, 0u);
-    std::vector<Piece> pieces;
+    const std::vector<std::vector<int>> found = components_of(colours, 0u);
+    std::vector<Component> components;
     Field<Owner> owners(site.columns, site.rows);
     for (const std::vector<int>& cells : found) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            owners[cells[i]] = {static_cast<int>(pieces.size()), static_cast<int>(i)};
+            owners[cells[i]] = {static_cast<int>(components.size()), static_cast<int>(i)};
         }
-        pieces.push_back({colour_of(colours[cells.front()]),
-                          stretched(cells, site.columns, site.rows, site)});
+        components.push_back({colour_of(colours[cells.front()]),
+                              stretched(cells, site.columns, site.rows, site)});
     }
     if (site.graph.width >= 2 * site.columns) {
         std::vector<Shape*> shapes;
-        for (Piece& piece : pieces) shapes.push_back(&piece.shape);
+        for (Component& component : components) shapes.push_back(&component.shape);
         const Colours fine = colours_of(
             read_strokes(source, site.graph.width, site.graph.height, palette));
         refine(shapes, owners, colours, fine, site);
     }
-    return pieces;
+    return components;
 }
 
 std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
@@ -137,10 +137,10 @@ std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
     const auto picture = std::ranges::find_if(
         pictures_, [&](const Picture& p) { return same(p.source, strokes.image); });
     std::vector<Shape> shapes;
-    for (const Piece& piece : picture->pieces) {
+    for (const Component& component : picture->components) {
         // A picture with a palette has its colours exactly.
-        if (strokes.colour && *strokes.colour != piece.colour) continue;
-        shapes.push_back(piece.shape);
+        if (strokes.colour && *strokes.colour != component.colour) continue;
+        shapes.push_back(component.shape);
     }
     if (shapes.empty()) {
         throw bad_request("group '{}': no stroke of {} has its colour, {}", group,

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "field/error.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/costs.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/places.h"
 #include "synth/distance/ridges.h"
 #include "synth/distance/sides.h"
@@ -51,7 +51,7 @@ class ApproximateCosts {
         std::vector<int> all(before.size());
         std::iota(all.begin(), all.end(), 0);
         const Origins origins = origins_of(all, before, layout_);
-        paths_.spread(origins.starts, RawGrowth{origins.starts});
+        paths_.spread(origins.starts, RawCostModel{origins.starts});
         for (const PlacedGroup& group : before) {
             sea_level_ =
                 std::max(sea_level_, site.options.sea_level_scale * group.highest_cost());
@@ -60,7 +60,7 @@ class ApproximateCosts {
 
     double mean_under(const Shape& shape) const {
         double sum = 0.0;
-        for (const Place& place : shape.places) {
+        for (const SitePoint& place : shape.places) {
             const double cost = paths_[node_at(layout_, place.x, place.y)].cost;
             sum += std::min(cost, sea_level_);
         }
@@ -110,7 +110,7 @@ class Gathering {
 
     void add(const Shape& shape, const Features::Feature& feature) {
         const int first = result.first.back();
-        for (const Place& place : shape.land) {
+        for (const SitePoint& place : shape.land) {
             const int node = node_at(site_.graph, place.x, place.y);
             int& slot = slots_[node];
             if (slot >= first) {

@@ -70,7 +70,7 @@ Shapes shapes_of(const Options& options, const Graph& graph, const Features& fea
     }
     if (sides) lay_sides(shapes, graph, features.starts, features.sides);
     shapes.way_at = regions.profile_at;
-    for (const Region& region : options.regions) {
+    for (const RegionOptions& region : options.regions) {
         const auto at =
             std::ranges::find(options.profiles, region.profile, &Profile::name);
         if (at == options.profiles.end()) continue;

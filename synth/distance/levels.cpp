@@ -6,8 +6,8 @@
 #include "field/error.h"
 #include "field/sample.h"
 #include "field/strokes.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/dijkstra.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/sources.h"
 
 namespace cydonia::distance {
@@ -27,7 +27,7 @@ Field<float> costs_from(const Source& drawing, const Site& site) {
         }
     }
     LeastCost paths(layout);
-    paths.spread(starts, RawGrowth{starts});
+    paths.spread(starts, RawCostModel{starts});
     Field<float> costs(layout.width, layout.height);
     for (int y = 0; y < layout.height; ++y) {
         for (int x = 0; x < layout.width; ++x)
@@ -53,9 +53,9 @@ Field<float> on_land(const Field<float>& costs, const Site& site) {
 
 // The centres of the cells that `is_in` takes.
 template <class IsIn>
-std::vector<Place> cells_where(const Field<float>& costs, const Graph& graph,
-                               const Site& site, float cost, const IsIn& is_in) {
-    std::vector<Place> places;
+std::vector<SitePoint> cells_where(const Field<float>& costs, const Graph& graph,
+                                   const Site& site, float cost, const IsIn& is_in) {
+    std::vector<SitePoint> places;
     for (int y = 0; y < costs.height(); ++y) {
         for (int x = 0; x < costs.width(); ++x) {
             if (!is_in(costs, x, y)) continue;
@@ -68,11 +68,11 @@ std::vector<Place> cells_where(const Field<float>& costs, const Graph& graph,
 }
 
 void link_to_nearest(Shape& shape) {
-    PlaceIndex index(2.0 * shape.pitch);
+    PointIndex index(2.0 * shape.pitch);
     for (std::size_t i = 0; i < shape.places.size(); ++i) {
         index.add(shape.places[i].x, shape.places[i].y, static_cast<int>(i));
     }
-    for (Place& place : shape.land) {
+    for (SitePoint& place : shape.land) {
         double least = 1e300;
         index.within(place.x, place.y, 4.0 * shape.pitch, [&](int name, double square) {
             if (square < least) {

@@ -152,7 +152,7 @@ struct Group {
 };
 
 // A part of the land with rules of its own. Where two overlap the later one holds.
-struct Region {
+struct RegionOptions {
     std::optional<Source> image;  // drawn, or
     std::string inside;           // what the closed strokes of this group enclose
     std::string profile;          // the one profile that holds there; empty: each its own
@@ -181,7 +181,7 @@ struct Map {
 struct Options {
     std::vector<Group> groups;      // F, C_g
     std::vector<Profile> profiles;  // P
-    std::vector<Region> regions;
+    std::vector<RegionOptions> regions;
     std::vector<Water> water;
 
     double mean_edge_weight = 2.0;            // mu_w, cost per length: a slope

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "synth/distance/cost_model.h"
 #include "synth/distance/features.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/regions.h"
 
 namespace cydonia::distance {

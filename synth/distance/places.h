@@ -22,8 +22,8 @@ const PlacedGroup& group_before(const std::vector<PlacedGroup>& before,
 // Random places for the features of group `name`. The k-th try of the i-th is a hash of
 // the seed, the name, i and k, so that what happens to other groups moves none of them.
 // Throws bad_request when there is no room.
-std::vector<Place> random_places(const Placement& placement, const std::string& name,
-                                 const Site& site,
-                                 const std::vector<PlacedGroup>& before);
+std::vector<SitePoint> random_places(const Placement& placement, const std::string& name,
+                                     const Site& site,
+                                     const std::vector<PlacedGroup>& before);
 
 }  // namespace cydonia::distance

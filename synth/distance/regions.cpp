@@ -25,8 +25,8 @@ Field<float> depth_inside(const Field<float>& mask) {
     return cells_inside(inside, true);
 }
 
-Field<float> mask_of(const Region& region, const Options& options, const Graph& graph,
-                     const Features& features) {
+Field<float> mask_of(const RegionOptions& region, const Options& options,
+                     const Graph& graph, const Features& features) {
     if (region.image) return drawn(*region.image, graph);
     const auto group = std::ranges::find(options.groups, region.inside, &Group::name);
     const Field<std::uint8_t> inside =
@@ -53,8 +53,8 @@ std::uint64_t groups_named(const std::vector<std::string>& names,
     return bits;
 }
 
-void close_to_others(Regions& regions, const Region& region, const Field<float>& mask,
-                     std::uint8_t index, const Graph& graph) {
+void close_to_others(Regions& regions, const RegionOptions& region,
+                     const Field<float>& mask, std::uint8_t index, const Graph& graph) {
     const double width = graph.width * graph.spacing;
     const auto feather =
         static_cast<float>(std::max(region.feather.in(width) / graph.spacing, 1.0));
@@ -75,7 +75,7 @@ Regions regions_of(const Options& options, const Graph& graph, const Features& f
     Regions regions;
     const auto nodes = static_cast<std::size_t>(graph.nodes());
     for (std::size_t i = 0; i < options.regions.size(); ++i) {
-        const Region& region = options.regions[i];
+        const RegionOptions& region = options.regions[i];
         const Field<float> mask = mask_of(region, options, graph, features);
         if (!region.profile.empty()) {
             regions.profile_at.resize(nodes, Regions::kFree);

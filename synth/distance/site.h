@@ -17,7 +17,7 @@
 namespace cydonia::distance {
 
 // A generator on the ground: metres from the north-west corner.
-struct Place {
+struct SitePoint {
     float x = 0.0f, y = 0.0f;
     float cost = 0.0f;
     int root = 0;  // its index in its shape's places; elsewhere the nearest of them
@@ -27,8 +27,8 @@ struct Place {
 // is decided on `places`, which are the same for every number of samples; `land` are the
 // same generators at the land's nodes, without gaps.
 struct Shape {
-    std::vector<Place> places;
-    std::vector<Place> land;
+    std::vector<SitePoint> places;
+    std::vector<SitePoint> land;
     float pitch = 0.0f;  // neighbouring places are at most this far apart, each way
     std::optional<std::array<float, 2>> centre;  // of a closed curve, where known
     // Where it has two profiles: unit vectors (east, south) at the places that it had
@@ -56,7 +56,7 @@ class Site {
     bool contains(double x, double y) const {
         return x >= 0.0 && y >= 0.0 && x < width && y < depth;
     }
-    Place centre_of(const Graph& of, int node) const;
+    SitePoint centre_of(const Graph& of, int node) const;
 
   private:
     mutable std::unique_ptr<Graph> layout_;
@@ -68,13 +68,14 @@ std::uint64_t key_of(const std::string& name);
 
 // Appends the line from `a` to `b`, without `a`, in steps no longer than `step` each way:
 // of nodes `step` apart it leaves out none.
-void append_line(std::vector<Place>& line, const Place& a, const Place& b, double step);
+void append_line(std::vector<SitePoint>& line, const SitePoint& a, const SitePoint& b,
+                 double step);
 
 // Places by where they are.
-class PlaceIndex {
+class PointIndex {
   public:
     // `reach`: about the distance that will be asked for, metres.
-    explicit PlaceIndex(double reach) : per_metre_(1.0 / reach) {}
+    explicit PointIndex(double reach) : per_metre_(1.0 / reach) {}
 
     void add(double x, double y, int name) {
         cells_[key(cell(x), cell(y))].push_back({x, y, name});

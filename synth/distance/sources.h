@@ -18,19 +18,19 @@ class DrawnStrokes {
     // Throws bad_request for a drawn colour that no group has, where groups have colours.
     explicit DrawnStrokes(const Site& site);
 
-    // Connected pieces of one colour, in reading order.
+    // Connected components of one colour, in reading order.
     std::vector<Shape> of(const Strokes& strokes, const std::string& group) const;
 
   private:
-    struct Piece {
+    struct Component {
         std::array<std::uint8_t, 3> colour;
         Shape shape;
     };
-    static std::vector<Piece> pieces_in(const Source& source, const Site& site);
+    static std::vector<Component> components_in(const Source& source, const Site& site);
 
     struct Picture {
         Source source;
-        std::vector<Piece> pieces;
+        std::vector<Component> components;
     };
     std::vector<Picture> pictures_;
 };
@@ -44,7 +44,7 @@ std::vector<Shape> circle_shapes(const Circles& circles, const std::string& grou
                                  const Site& site,
                                  const std::vector<PlacedGroup>& before);
 
-// Connected pieces of the picture's own pixels with a gradient above eq. 4.3's.
+// Connected components of the picture's own pixels with a gradient above eq. 4.3's.
 std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
                                const Site& site);
 
@@ -55,18 +55,18 @@ std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& g
 // One feature: the nodes within the distance that have a neighbour beyond it.
 std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Site& site);
 
-// The cells of each connected piece of equal values; pieces and cells in reading order.
-// Cells that equal `nothing` are in none. Corners connect.
+// The cells of each connected component of equal values; components and cells in reading
+// order. Cells that equal `nothing` are in none. Corners connect.
 template <class T>
-std::vector<std::vector<int>> pieces_of(const Field<T>& cells, const T& nothing) {
-    std::vector<std::vector<int>> pieces;
+std::vector<std::vector<int>> components_of(const Field<T>& cells, const T& nothing) {
+    std::vector<std::vector<int>> components;
     std::vector<int> front;
-    Field<int> piece_of(cells.width(), cells.height(), -1);
+    Field<int> component_of(cells.width(), cells.height(), -1);
     for (int start = 0; start < static_cast<int>(cells.size()); ++start) {
         if (cells[start] == nothing) continue;
-        if (piece_of[start] < 0) {
-            piece_of[start] = static_cast<int>(pieces.size());
-            pieces.emplace_back();
+        if (component_of[start] < 0) {
+            component_of[start] = static_cast<int>(components.size());
+            components.emplace_back();
             front.push_back(start);
         }
         while (!front.empty()) {
@@ -76,15 +76,15 @@ std::vector<std::vector<int>> pieces_of(const Field<T>& cells, const T& nothing)
             for (int y = y0 - 1; y <= y0 + 1; ++y) {
                 for (int x = x0 - 1; x <= x0 + 1; ++x) {
                     if (!cells.contains(x, y) || cells(x, y) != cells[start]) continue;
-                    if (piece_of(x, y) >= 0) continue;
-                    piece_of(x, y) = piece_of[start];
+                    if (component_of(x, y) >= 0) continue;
+                    component_of(x, y) = component_of[start];
                     front.push_back(y * cells.width() + x);
                 }
             }
         }
-        pieces[piece_of[start]].push_back(start);
+        components[component_of[start]].push_back(start);
     }
-    return pieces;
+    return components;
 }
 
 // Cells of a columns x rows picture that is stretched over the land, as a shape.

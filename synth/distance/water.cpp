@@ -8,7 +8,7 @@
 
 #include "field/error.h"
 #include "field/strokes.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 namespace cydonia::distance {
 namespace {
@@ -121,7 +121,7 @@ class Shores {
             return std::min(shapes.descents[0](metres), 0.5f * deepest);
         });
         shapes.ways.assign(shore.size(), 0);
-        paths_.spread(shore, ProfileGrowth(shapes, shore, 0),
+        paths_.spread(shore, ProfileCostModel(shapes, shore, 0),
                       [&](int, float cost) { return cost < deepest; });
         for (std::size_t i = 0; i < grey.size(); ++i) {
             if (!is_wet(grey[i])) continue;
@@ -136,7 +136,7 @@ class Shores {
             shore_of(grey, graph_, false, [&](float metres) { return slope * metres; });
         const std::vector<float> factors(
             shore.size(), slope / static_cast<float>(options_.mean_edge_weight));
-        paths_.spread(shore, ConstantGrowth{shore, factors});
+        paths_.spread(shore, ConstantCostModel{shore, factors});
         const float bank = slope * static_cast<float>(kBank * terrain_.width());
         for (std::size_t i = 0; i < grey.size(); ++i) {
             const float rise = cost_at(i);

@@ -13,11 +13,11 @@
 namespace cydonia::pareidolia {
 namespace {
 
-enum Region : std::uint8_t { kFree, kShadow, kAntiShadow };
+enum Zone : std::uint8_t { kFree, kShadow, kAntiShadow };
 
-// A stretch of one region along a row of the light frame: samples [first, past).
+// A stretch of one zone along a row of the light frame: samples [first, past).
 struct Stretch {
-    Region region;
+    Zone zone;
     int first, past;
     bool holds(int sample) const { return sample >= first && sample < past; }
 };
@@ -25,8 +25,8 @@ struct Stretch {
 std::vector<Stretch> stretches_of(std::span<const std::uint8_t> row) {
     std::vector<Stretch> result;
     for (int i = 0; i < static_cast<int>(row.size()); ++i) {
-        if (result.empty() || result.back().region != row[i])
-            result.push_back({static_cast<Region>(row[i]), i, i + 1});
+        if (result.empty() || result.back().zone != row[i])
+            result.push_back({static_cast<Zone>(row[i]), i, i + 1});
         result.back().past = i + 1;
     }
     return result;
@@ -41,14 +41,14 @@ class RowBound {
         const auto stretches = stretches_of(regions);
         const int count = static_cast<int>(stretches.size());
         for (const Stretch& s : stretches)
-            if (s.region == kShadow) bound_shadow(s);
+            if (s.zone == kShadow) bound_shadow(s);
         for (int i = 0; i < count; ++i) {
-            if (stretches[i].region != kAntiShadow) continue;
-            bound_anti_shadow(stretches[i], i > 0 && stretches[i - 1].region == kShadow,
-                              i + 1 < count && stretches[i + 1].region == kShadow);
+            if (stretches[i].zone != kAntiShadow) continue;
+            bound_anti_shadow(stretches[i], i > 0 && stretches[i - 1].zone == kShadow,
+                              i + 1 < count && stretches[i + 1].zone == kShadow);
         }
         for (int i = 0; i < count; ++i)
-            if (stretches[i].region == kFree)
+            if (stretches[i].zone == kFree)
                 bound_free(stretches[i], i > 0, i + 1 < count);
         for (float& b : bound_) b = std::min(b, static_cast<float>(highest_));
     }

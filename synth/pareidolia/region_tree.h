@@ -13,12 +13,12 @@ namespace cydonia::pareidolia {
 struct RegionTree {
     static constexpr int kBackground = 0;  // the root, light; goes on beyond the frame
 
-    struct Region {
+    struct Node {
         int parent = -1;  // -1: none, the background
         int depth = 0;
     };
-    std::vector<Region> regions;  // each after its parent
-    Field<int> region_at;         // of each cell
+    std::vector<Node> regions;  // each after its parent
+    Field<int> region_at;       // of each cell
 
     int depth_at(std::size_t cell) const { return regions[region_at[cell]].depth; }
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 namespace cydonia::pareidolia {
 namespace {
@@ -108,7 +108,7 @@ Field<float> spread(const distance::Graph& graph, const Field<float>& generators
         }
     }
     distance::LeastCost paths(graph);
-    paths.spread(starts, distance::ConstantGrowth{starts, factors});
+    paths.spread(starts, distance::ConstantCostModel{starts, factors});
 
     Field<float> heights(generators.width(), generators.height(), kNowhere);
     if (starts.empty()) return heights;

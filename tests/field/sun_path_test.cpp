@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kNear = 0.05;  // degrees
 
-Place place(double latitude, double longitude) {
+GeographicPosition place(double latitude, double longitude) {
     return {radians(latitude), radians(longitude)};
 }
 
-double noon_elevation(const Place& at, const Date& date) {
+double noon_elevation(const GeographicPosition& at, const Date& date) {
     const SunPath path = sun_path(at, date, 0.0);
     return degrees(path(noon_of(path)).elevation);
 }
@@ -38,7 +38,7 @@ TEST(SunPath, TheExampleOfNrel) {
     const double hour = 12.0 + 30.5 / 60.0 + 7.0;
     EXPECT_NEAR(degrees(solar_time(date, hour).declination), -9.31434, 0.01);
     EXPECT_NEAR(solar_time(date, hour).equation, 14.641503, 0.05);
-    const Place golden = place(39.742476, -105.1786);
+    const GeographicPosition golden = place(39.742476, -105.1786);
     const Sun without_air = sun_at(golden, date, hour, false);
     EXPECT_NEAR(degrees(without_air.elevation), 39.872046, 0.01);
     EXPECT_NEAR(degrees(without_air.azimuth), 194.340241, 0.01);
@@ -49,7 +49,7 @@ TEST(SunPath, TheExampleOfNrel) {
 // 17:20:19 of the day before by the clock there; the sun's middle is 0.8333 degrees low.
 TEST(SunPath, SunriseAndSunset) {
     const auto day_of = [](const Date& date) {
-        const Place golden = place(39.742476, -105.1786);
+        const GeographicPosition golden = place(39.742476, -105.1786);
         const auto path = [=](double hour) {
             return sun_at(golden, date, hour + 7.0, false);
         };
@@ -102,7 +102,7 @@ TEST(SunPath, TurnsWithTheClockInTheNorthAndAgainstItInTheSouth) {
 }
 
 TEST(SunPath, PolarDayAndNight) {
-    const Place cape = place(71.17, 25.78);
+    const GeographicPosition cape = place(71.17, 25.78);
     const auto day = hours_above(sun_path(cape, {2026, 6, 21}, 2.0), 0.0);
     ASSERT_TRUE(day);
     EXPECT_DOUBLE_EQ(day->to - day->from, 24.0);
@@ -136,7 +136,7 @@ TEST(SunPath, NearestIsTheMomentItself) {
 }
 
 TEST(SunPath, TheYearFindsTheDay) {
-    const Place at = place(47.0, 8.0);
+    const GeographicPosition at = place(47.0, 8.0);
     const Sun wanted = sun_path(at, {2026, 4, 12}, 1.0)(16.5);
     const auto days = approaches_in(2026, at, 1.0, wanted);
     ASSERT_EQ(days.size(), 365u);

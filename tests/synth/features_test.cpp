@@ -9,7 +9,7 @@
 
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/sources.h"
 #include "tests/field/temporary_folder.h"
 
@@ -727,7 +727,7 @@ TEST(RidgeGrowth, ExtendsTheFeatureItComesFrom) {
     const Land grown(options, 96, 3);
     ASSERT_EQ(grown.features.count(), 4);
     LeastCost paths(bare.graph);
-    paths.spread(bare.features.starts, RawGrowth{bare.features.starts});
+    paths.spread(bare.features.starts, RawCostModel{bare.features.starts});
     std::size_t nodes = 0;
     for (int f = 0; f < 4; ++f) {
         for (const Start& start : grown.features.of(f)) {

@@ -82,7 +82,7 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
         // Lit ground that rises evenly everywhere would look ironed.
         demand.light[i] =
             static_cast<float>(kLight * options.faithful * (0.5 + noise[i]));
-        if (!image.given_up.empty() && image.given_up[i]) continue;
+        if (!image.relaxed.empty() && image.relaxed[i]) continue;
         if (target[i])
             demand.parts[i] = Part::kShadow;
         else if (beyond[i] <= kRim)
@@ -102,15 +102,15 @@ Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>&
     return kept;
 }
 
-void note_given_up(const Rounds& rounds, std::vector<ShadowImage>& images) {
+void note_relaxed(const Rounds& rounds, std::vector<ShadowImage>& images) {
     for (std::size_t i = 0; i < images.size(); ++i) {
         const int width = images[i].target.width(), height = images[i].target.height();
-        Field<std::uint8_t>& given_up = images[i].given_up;
+        Field<std::uint8_t>& relaxed = images[i].relaxed;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 if (!rounds.gave_way(i, x, y)) continue;
-                if (given_up.empty()) given_up = Field<std::uint8_t>(width, height);
-                given_up(x, y) = 1;
+                if (relaxed.empty()) relaxed = Field<std::uint8_t>(width, height);
+                relaxed(x, y) = 1;
             }
     }
 }
@@ -119,7 +119,7 @@ void say_contradictions(const Contradictions& found,
                         const std::vector<ShadowImage>& images, Progress& progress) {
     std::ptrdiff_t cells = 0;
     for (const ShadowImage& image : images)
-        cells += std::count(image.given_up.begin(), image.given_up.end(), 1);
+        cells += std::count(image.relaxed.begin(), image.relaxed.end(), 1);
     if (cells == 0) return;
     if (found.quadruples == 0) {
         progress.note(fmt::format("{} cells give way to another sun's image", cells));
@@ -185,7 +185,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
         if (level > 0) continue;
         Rounds rounds(base.spacing, demands, context);
         bent = rounds.best_of(bend);
-        note_given_up(rounds, images);
+        note_relaxed(rounds, images);
     }
     for (std::size_t i = 0; i < kept.size(); ++i)
         if (std::isfinite(kept[i])) bent[i] = kept[i];

@@ -56,7 +56,7 @@ class Asked {
 
   private:
     bool gave_way(int x, int y) const {
-        return !image_.given_up.empty() && image_.given_up(x, y);
+        return !image_.relaxed.empty() && image_.relaxed(x, y);
     }
     const ShadowImage& image_;
     int width_, height_;
@@ -167,11 +167,11 @@ Contradictions settle(std::vector<ShadowImage>& images) {
         if (found.empty()) break;
         for (const Label label : hitting(found, cells * images.size())) {
             ShadowImage& image = images[label / cells];
-            if (image.given_up.empty())
-                image.given_up =
+            if (image.relaxed.empty())
+                image.relaxed =
                     Field<std::uint8_t>(image.target.width(), image.target.height());
-            image.given_up[label % cells] = 1;
-            ++result.given_up;
+            image.relaxed[label % cells] = 1;
+            ++result.relaxed;
         }
     }
     // At the least cost they are all spurious shadow of the image that has most.

@@ -15,12 +15,12 @@ struct Contradictions {
     std::size_t quadruples = 0;  // found
     // No land can do with fewer wrong cells: quadruples of which no two share one.
     std::size_t least_wrong = 0;
-    std::size_t given_up = 0;  // cells, of all images, that hit every quadruple
+    std::size_t relaxed = 0;  // cells, of all images, that hit every quadruple
     // The mean over the images of the best IoU that any land can have.
     double bound = 1.0;
 };
 
-// Finds them and lets cells give way (ShadowImage::given_up) until none is left. The cell
+// Finds them and lets cells give way (ShadowImage::relaxed) until none is left. The cell
 // that settles most goes first.
 Contradictions settle(std::vector<ShadowImage>& images);
 

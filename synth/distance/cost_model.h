@@ -14,7 +14,7 @@
 namespace cydonia::distance {
 
 // Raw edge weights: no profile.
-struct RawGrowth {
+struct RawCostModel {
     std::span<const Start> starts;
 
     static constexpr bool kOneWay = true;
@@ -30,7 +30,7 @@ struct RawGrowth {
 };
 
 // A constant profile for each start: every edge of a path times its origin's factor.
-struct ConstantGrowth {
+struct ConstantCostModel {
     std::span<const Start> starts;
     std::span<const float> factors;  // as many as starts, each > 0
 
@@ -105,13 +105,13 @@ class EvenKey {
 // Along profiles: eq. 3.4 to 3.6 integrated along the path. By eq. 3.6 every generator
 // shows the whole profile, smaller where it starts lower: the same slopes over a shorter
 // way. `length` is of the raw edge weights, of which mean_edge_weight make a metre.
-class ProfileGrowth {
+class ProfileCostModel {
   public:
     static constexpr bool kOneWay = true;
 
     // `starts`, all below sea level cost, have their ways in `shapes` from index `first`
     // on; both outlive this.
-    ProfileGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
+    ProfileCostModel(const Shapes& shapes, std::span<const Start> starts, int first);
 
     Label begin(int origin) const { return {.cost = starts_[origin].cost}; }
     auto from(int /*node*/, const Label& label) const {
@@ -144,11 +144,11 @@ inline float just_above(float cost) {
 // The same where the profile changes on the way: beside its own stroke a path takes the
 // profile of that side, in a region the region's. It goes on at the height at which it
 // comes in.
-class ChangingGrowth : public ProfileGrowth {
+class ChangingCostModel : public ProfileCostModel {
   public:
     static constexpr bool kOneWay = false;
 
-    ChangingGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
+    ChangingCostModel(const Shapes& shapes, std::span<const Start> starts, int first);
 
     Label begin(int origin) const {
         return {.cost = starts_[origin].cost, .way = ways_[origin]};

@@ -1,6 +1,6 @@
 // B. Rusnell, "Distance-based terrain synthesis" (2009), section 3.3.1.
 
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 #include <cmath>
 
@@ -51,8 +51,8 @@ EvenKey::EvenKey(const Shapes& shapes, std::span<const Start> starts, int first_
     }
 }
 
-ProfileGrowth::ProfileGrowth(const Shapes& shapes, std::span<const Start> starts,
-                             int first)
+ProfileCostModel::ProfileCostModel(const Shapes& shapes, std::span<const Start> starts,
+                                   int first)
     : descents_(shapes.descents.data()),
       ways_(shapes.ways.data() + first),
       starts_(starts),
@@ -61,9 +61,9 @@ ProfileGrowth::ProfileGrowth(const Shapes& shapes, std::span<const Start> starts
       per_sea_level_(static_cast<float>(1.0 / shapes.sea_level)),
       key_(shapes, starts, first) {}
 
-ChangingGrowth::ChangingGrowth(const Shapes& shapes, std::span<const Start> starts,
-                               int first)
-    : ProfileGrowth(shapes, starts, first),
+ChangingCostModel::ChangingCostModel(const Shapes& shapes, std::span<const Start> starts,
+                                     int first)
+    : ProfileCostModel(shapes, starts, first),
       other_ways_(shapes.other_ways.empty() ? nullptr : shapes.other_ways.data() + first),
       way_at_(shapes.way_at),
       shapes_(&shapes),
