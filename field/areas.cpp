@@ -26,8 +26,8 @@ Driver driver_of(VectorFormat format) {
     }
 }
 
-// Keeps the first error that GDAL reports while this stands: the later ones only say that
-// something failed. Warnings are passed over.
+// Keeps the first error that GDAL reports while this object exists: later ones only say
+// that something failed. Warnings are ignored.
 class FirstError {
   public:
     FirstError() { CPLPushErrorHandlerEx(&keep, this); }

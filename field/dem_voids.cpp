@@ -11,11 +11,11 @@
 namespace cydonia {
 namespace {
 
-// Averages over 3 x 3 cells, among the filled ones only, against the rays that GDAL's
+// Averages over 3 x 3 cells, among the filled ones only, to remove the rays that GDAL's
 // search from each void leaves.
 constexpr int kSmoothings = 3;
 
-// Non-zero where a height is known, as GDALFillNodata wants it.
+// A mask that is not zero where a height is known, for GDALFillNodata.
 Dataset mask_of(const Field<float>& heights) {
     Field<float> known(heights.width(), heights.height());
     std::transform(heights.begin(), heights.end(), known.begin(),

@@ -25,7 +25,7 @@ using Handle = std::unique_ptr<RsvgHandle, Released<g_object_unref>>;
 using Surface = std::unique_ptr<cairo_surface_t, Released<cairo_surface_destroy>>;
 using Canvas = std::unique_ptr<cairo_t, Released<cairo_destroy>>;
 
-// Calls act(&error) and turns what it reports into a bad_request.
+// Calls act(&error) and turns an error that it reports into a bad_request.
 template <class Act>
 auto checked(const std::string& name, const Act& act) {
     GError* error = nullptr;
@@ -37,9 +37,9 @@ auto checked(const std::string& name, const Act& act) {
     throw bad_request("{}: {}", name, reason);
 }
 
-// Magnified text makes Pango complain, on the terminal, of font sizes that only its
-// layout asked for; the letters themselves are drawn as outlines. librsvg reports its own
-// errors apart from this.
+// Magnified text makes Pango print warnings about font sizes that only its layout asks
+// for; the letters themselves are drawn as outlines. librsvg reports its own errors
+// separately.
 void silence_glib() {
     static const auto ignore = [](GLogLevelFlags, const GLogField*, gsize, gpointer) {
         return G_LOG_WRITER_HANDLED;
