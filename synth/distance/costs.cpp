@@ -24,14 +24,14 @@ using Range = CostRange;
 const double kUsual = thesis_units(20.0).fraction;  // of the width
 
 double noise_cost(const NoiseOptions& noise, const Site& site, double x, double y) {
-    // One seed for all groups: equal options give the same field.
+    // All groups share one seed, so that equal options give the same field.
     return noise.scale.in(site.width) *
            noise_at(noise, x / site.width, y / site.width,
                     hash_of({site.seed, key("generator cost")}));
 }
 
-// Over the land, on a lattice of 256 points along the longer side, which depends on
-// nothing else.
+// The range over the land, measured on a lattice of 256 points along the longer side, so
+// that it does not depend on the number of samples.
 Range noise_range(const NoiseOptions& noise, const Site& site) {
     const int columns = (site.columns + 3) / 4, rows = (site.rows + 3) / 4;
     Field<float> values(columns, rows);
@@ -209,7 +209,7 @@ double CostPattern::raw(const SitePoint& place) const {
     return 0.0;
 }
 
-// 0 at the curve's top, 1 at its foot.
+// The drawn curve's share: 0 at its top, 1 at its foot.
 double CostPattern::drawn_share(double t) const {
     const auto after = std::ranges::upper_bound(drawn_, t, {}, &CurvePoint::x);
     if (after == drawn_.begin()) return 1.0 - drawn_.front().f;

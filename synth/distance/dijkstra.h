@@ -18,15 +18,16 @@ namespace cydonia::distance {
 
 inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-// A generator node. Its place in the list of starts is its name: the paths' `origin`.
+// A generator node. Its index in the list of starts identifies it: paths have it as their
+// `origin`.
 struct Start {
     int node = 0;
     float cost = 0.0f;  // metres, not negative
 };
 
-// What a pass leaves at a node. Sixteen bytes, so that it is stored as a whole: pieces of
-// it would have to wait for one another when it is read again, which took a quarter of
-// the time.
+// What a pass leaves at a node. It has sixteen bytes so that it is stored by one
+// instruction: when it was stored in parts, reading it again had to wait for them, which
+// took a quarter of the time.
 struct alignas(16) Label {
     static constexpr std::uint8_t kStart = 255;
 
@@ -34,27 +35,28 @@ struct alignas(16) Label {
     float length = 0.0f;              // along the path, as its model counts it
     int origin = -1;                  // index of the start
     std::uint8_t direction = kStart;  // of the edge that the path came by
-    std::uint8_t way = 0;             // of growing, for growths that have several,
-    std::uint8_t side = 0;            // and of the stroke
+    std::uint8_t way = 0;             // the profile, in models that have several,
+    std::uint8_t side = 0;            // the side of the stroke, likewise
     std::uint8_t unused = 0;
 };
 static_assert(sizeof(Label) == 16);
 
-// How cost grows along a path, synth/distance/cost_model.h. A model has
-//   Label begin(int origin) const               at a start
+// A cost model says how cost rises along a path (synth/distance/cost_model.h). It has
+//   Label begin(int origin) const               the label of a start
 //   auto from(int node, const Label&) const     a function of (direction, neighbour,
-//       length): the Label that the path has there when it is that long, its cost above
-//       the one before; `origin` and `direction` are filled in for it
+//       length): the label of the neighbour on a path that is this long there. Its cost
+//       is above the one before; LeastCost fills in `origin` and `direction`
 //   float key(float cost) const                 rises with cost
-//   float least_step(float edge) const          what key rises by, at least, over an edge
-//       of weight `edge`
-//   kOneWay                                     true: cost is a function of origin and
-//       length, and does not fall with length
-// Not a product of factors along the path (eq. 3.4): the same to first order in an edge's
-// length, exact at every resolution, and the beginnings of a least-cost path are
-// least-cost paths.
+//   float least_step(float edge) const          the least by which the key rises over an
+//       edge of weight `edge`
+//   kOneWay                                     true when cost is a function of origin
+//   and
+//       length that does not fall with length
+// It is not a product of factors along the path (eq. 3.4). To first order in an edge's
+// length it is the same, but it is exact at every resolution, and every beginning of a
+// least-cost path is a least-cost path (docs/papers.md, Rusnell 6).
 
-// Every node settled is searched on from.
+// Searches on from every node that is settled.
 struct ExpandAll {
     bool operator()(int /*node*/, float /*cost*/) const { return true; }
 };
@@ -69,7 +71,7 @@ class LeastCost {
         : graph_(&graph),
           least_edge_(least_edge(graph)),
           labels_(static_cast<std::size_t>(graph.nodes())) {
-        // Nothing is cheaper than the margin.
+        // No path enters the margin, because no cost is below that of its labels.
         const auto wall = [&](int first, int last) {
             for (int node = first; node < last; ++node) labels_[node].cost = -kUnreached;
         };
@@ -97,8 +99,8 @@ class LeastCost {
         settle(model, expand);
     }
 
-    // What a pass left behind: nodes, each after those of its path, with their labels and
-    // whether it was searched on from (1) or not.
+    // What a pass left behind: its nodes, each after those of its path, with their
+    // labels, and 1 for each node from which it searched on.
     struct Trace {
         std::vector<int> nodes;
         std::vector<Label> labels;
@@ -127,7 +129,7 @@ class LeastCost {
             held.push_back(node);
             if (!trace.expanded[i] && expand(node, label.cost)) again.push_back(node);
         }
-        // Around what was lost, what is left may lead there.
+        // Paths from the nodes that were kept may lead to those that were lost.
         for (int node : trace.nodes) {
             if (labels_[node].cost != kUnreached) continue;
             for (int d = 0; d < graph_->directions; ++d) {
@@ -160,7 +162,7 @@ class LeastCost {
         nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
     }
 
-    // Whether a label is what the one before it grows to.
+    // Whether a label follows from the one before it on its path.
     template <class CostModel>
     bool follows(int node, const CostModel& model) const {
         const Label& label = labels_[node];
@@ -189,7 +191,7 @@ class LeastCost {
         }
     }
 
-    // Of equal costs.
+    // Which of two labels with equal costs holds.
     static bool before(const Label& a, const Label& b) {
         if (a.origin != b.origin) return a.origin < b.origin;
         if (a.length != b.length) return a.length < b.length;
@@ -222,7 +224,8 @@ class LeastCost {
             if (!expand(node, label.cost)) return;
 
             // Which steps are worth taking is found without a branch: it is as good as
-            // random, and a processor's wrong guesses would cost more than all the rest.
+            // random, and the processor's mispredictions would cost more than all the
+            // rest.
             std::array<int, 2 * kHalf> neighbours;
             std::array<float, 2 * kHalf> lengths;
             std::uint32_t worth = 0;
@@ -260,7 +263,7 @@ class LeastCost {
     BucketQueue queue_;
 };
 
-// The nodes of the least-cost path that ends at `node`, back to its start.
+// The nodes of the least-cost path that ends at `node`, from there back to its start.
 inline std::vector<int> path_back(const Graph& graph, const LeastCost& paths, int node) {
     std::vector<int> nodes{node};
     while (paths[node].direction != Label::kStart) {

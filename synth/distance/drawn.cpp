@@ -19,7 +19,8 @@ std::string shown(const Colour& c) {
     return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
 }
 
-// The colours that groups name in a picture; empty when one takes everything drawn.
+// The colours that groups name in a picture; empty when a group takes everything that is
+// drawn.
 std::vector<Colour> palette_of(const Options& options, const Source& source) {
     std::vector<Colour> palette;
     for (const Group& group : options.groups) {
@@ -31,7 +32,7 @@ std::vector<Colour> palette_of(const Options& options, const Source& source) {
     return palette;
 }
 
-// Colours as numbers, which compare fast; 0 is nothing.
+// Colours as numbers, which are fast to compare; 0 means that nothing is drawn.
 using Colours = Field<std::uint32_t>;
 
 Colours colours_of(const Field<Rgba8>& cells) {
@@ -45,13 +46,14 @@ Colour colour_of(std::uint32_t number) {
     return {r, g, b};
 }
 
-// Which place of which shape a cell of the lattice is.
+// The shape to which a cell of the lattice belongs, and its index in that shape's places.
 struct Owner {
     int shape = -1;
     int place = 0;
 };
 
-// The cell of this colour nearest to (x, y), among it and its neighbours.
+// The owner of the nearest cell of this colour among (x, y) and its neighbours; null when
+// none has it.
 const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int x, int y,
                         std::uint32_t colour) {
     const auto is = [&](int i, int j) {
@@ -71,7 +73,8 @@ const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int 
     return nullptr;
 }
 
-// The land's own cells of strokes, for a land fine enough to show what the lattice shows.
+// Gives the shapes the land's own cells, when the land is fine enough to show the strokes
+// as the lattice does.
 void refine(std::vector<Shape*> shapes, const Field<Owner>& owners,
             const Colours& colours, const Colours& fine, const Site& site) {
     const Graph& land = site.graph;
@@ -138,7 +141,7 @@ std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
         pictures_, [&](const Picture& p) { return same(p.source, strokes.image); });
     std::vector<Shape> shapes;
     for (const Component& component : picture->components) {
-        // A picture with a palette has its colours exactly.
+        // A picture that was read with a palette has exactly its colours.
         if (strokes.colour && *strokes.colour != component.colour) continue;
         shapes.push_back(component.shape);
     }

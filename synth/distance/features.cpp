@@ -42,8 +42,8 @@ std::vector<Shape> shapes_of(const Group& group, const Site& site,
         group.where);
 }
 
-// Section 4.2.5: what the groups before cost under each feature, on the way to a
-// generator of theirs or at sea level.
+// Section 4.2.5: the approximate cost of the groups before under each feature, which is
+// at most that of sea level.
 class ApproximateCosts {
   public:
     ApproximateCosts(const std::vector<PlacedGroup>& before, const Site& site)
@@ -75,7 +75,7 @@ class ApproximateCosts {
 
 CostPattern::Reference reference_of(const Group& group, const Site& site,
                                     const std::vector<PlacedGroup>& before) {
-    // Made when asked for, by whichever part of a rule.
+    // Computed when a part of a rule first asks for it.
     const auto approximate = std::make_shared<std::unique_ptr<ApproximateCosts>>();
     return [&, approximate](const CostRule& rule, const Shape& shape) {
         const std::string asked = "group '" + group.name + "': share_of";
@@ -99,10 +99,10 @@ int profile_index(const Options& options, const std::string& name,
     return static_cast<int>(found - options.profiles.begin());
 }
 
-// The direction of a stroke is taken over this way.
+// The length of a stroke over which its direction is averaged.
 constexpr Length kDirectionReach = thesis_units(6.0);
 
-// Gathers starts: of one feature one a node, the least cost.
+// Collects starts: at each node one of each feature, with its least cost.
 class Gathering {
   public:
     explicit Gathering(const Site& site)

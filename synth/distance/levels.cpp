@@ -13,7 +13,7 @@
 namespace cydonia::distance {
 namespace {
 
-// Path cost from drawn strokes at the nodes of the layout.
+// The path cost from drawn strokes at the nodes of the layout.
 Field<float> costs_from(const Source& drawing, const Site& site) {
     const Field<Rgba8> cells = read_strokes(drawing, site.columns, site.rows);
     const Graph& layout = site.layout();
@@ -36,7 +36,7 @@ Field<float> costs_from(const Source& drawing, const Site& site) {
     return costs;
 }
 
-// The same at the land's nodes.
+// The same cost at the land's nodes.
 Field<float> on_land(const Field<float>& costs, const Site& site) {
     const Graph& land = site.graph;
     const double x_scale = 1.0 * costs.width() / land.width;
@@ -51,7 +51,7 @@ Field<float> on_land(const Field<float>& costs, const Site& site) {
     return result;
 }
 
-// The centres of the cells that `is_in` takes.
+// The centres of the cells for which `is_in` is true.
 template <class IsIn>
 std::vector<SitePoint> cells_where(const Field<float>& costs, const Graph& graph,
                                    const Site& site, float cost, const IsIn& is_in) {
@@ -84,7 +84,8 @@ void link_to_nearest(Shape& shape) {
     }
 }
 
-// What `is_in` takes of the path costs, on the layout and on the land.
+// The shape of the cells whose path cost satisfies `is_in`, on the layout and on the
+// land.
 template <class IsIn>
 Shape shape_where(const Field<float>& costs, const Field<float>& land, const Site& site,
                   float cost, const IsIn& is_in) {
@@ -150,7 +151,7 @@ std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Sit
         throw bad_request("group '{}': distance is {} m: it must be above 0", group,
                           distance);
     }
-    // A path over mean edge weights costs mu_w for every metre.
+    // A path over mean edge weights costs mu_w a metre.
     const double cost = distance * site.options.mean_edge_weight;
     const auto is_in = [&](const Field<float>& at, int x, int y) {
         const auto beyond = [&](int i, int j) {

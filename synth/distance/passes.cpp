@@ -9,7 +9,8 @@
 namespace cydonia::distance {
 namespace {
 
-// Calls use(model) with the model of cost from some of the starts: `first` on.
+// Calls use(model) with the cost model of some of the starts, which begin at index
+// `first`.
 template <class Use>
 void with_cost_model(const Ground& ground, std::span<const Start> starts, int first,
                      const Use& use) {
@@ -19,7 +20,7 @@ void with_cost_model(const Ground& ground, std::span<const Start> starts, int fi
     use(ChangingCostModel(shapes, starts, first));
 }
 
-// The starts of some groups, a bit each, as a ground of their own.
+// The starts of some groups, which are the bits of `groups`, as a ground of their own.
 struct Part {
     Features features;
     Shapes shapes;
@@ -55,7 +56,7 @@ void spread_all(const Ground& ground, const Halting& halting, LeastCost& paths) 
     });
 }
 
-// Where a feature's own pass goes on.
+// Tells where a feature's own pass goes on.
 struct Expand {
     const Ground& ground;
     const Halting& halting;

@@ -58,7 +58,7 @@ double distance_in(const Length& length, const Site& site, const std::string& na
     return metres;
 }
 
-// What a place must be clear of.
+// Tells whether a place is clear of what it must keep away from.
 class Room {
   public:
     Room(const Placement& placement, const std::string& name, const Site& site,
@@ -82,7 +82,7 @@ class Room {
         }
     }
 
-    // `chance` in [0, 1) decides where the picture is grey.
+    // Where the picture is grey, `chance` in [0, 1) decides.
     bool has(double x, double y, double chance) const {
         if (!light_.empty() && chance >= light_at(x, y)) return false;
         if (apart_ > 0.0 && own_.any_within(x, y, apart_)) return false;

@@ -11,14 +11,14 @@
 namespace cydonia::distance {
 namespace {
 
-// 1 where drawn: grey, so that soft edges stay soft.
+// A mask that is 1 where the image is drawn. It is grey, so that soft edges stay soft.
 Field<float> drawn(const Source& image, const Graph& graph) {
     Field<float> mask = read_grey_at(image, graph.width, graph.height);
     for (float& value : mask) value = 1.0f - value;
     return mask;
 }
 
-// Distance in cells from outside; 0 there.
+// The distance in cells from the outside, where it is 0.
 Field<float> depth_inside(const Field<float>& mask) {
     Field<std::uint8_t> inside(mask.width(), mask.height());
     std::ranges::transform(mask, inside.begin(), [](float m) { return m >= 0.5f; });
@@ -99,7 +99,8 @@ Regions regions_of(const Options& options, const Graph& graph, const Features& f
 }
 
 Field<std::uint8_t> enclosed(const Graph& graph, const Features& features, int group) {
-    // What the outside reaches, edge to edge, without crossing a stroke is not enclosed.
+    // Cells that the outside reaches across their sides without crossing a stroke are not
+    // enclosed.
     constexpr std::uint8_t kStroke = 2;
     Field<std::uint8_t> inside(graph.width + 2, graph.height + 2, 1);
     for (int f = 0; f < features.count(); ++f) {

@@ -42,7 +42,7 @@ void check(const Ridges& ridges, const std::string& name, double width) {
     }
 }
 
-// Grows ridges on the layout, where paths take the same way at every resolution.
+// Grows ridges on the layout, where paths are the same at every resolution.
 class Growing {
   public:
     Growing(const Ridges& ridges, std::vector<PlacedGroup>& groups, const Site& site)
@@ -89,7 +89,7 @@ class Growing {
     }
 
   private:
-    // Paths of one pass that meet go on as one.
+    // Paths of one pass that meet continue as one.
     void trace_back(int end) {
         const Origins::Origin& origin = origins_.of[paths_[end].origin];
         Shape& shape = groups_[origin.group].shapes[origin.shape];
@@ -102,15 +102,17 @@ class Growing {
             on_ridge_[node] = true;
             node -= layout_.step[paths_[node].direction];
             const SitePoint here = place_of(node, root);
-            // Where the land's grid is finer, places between close the gaps.
+            // Where the land's grid is finer than the layout, places between its nodes
+            // close the gaps.
             append_line(shape.land, before, here, site_.graph.spacing);
             shape.places.push_back(here);
             before = here;
         }
     }
 
-    // A ridge on the side of the feature's first profile has it all round: no root. On
-    // the other side its places part the ground as the stroke does that it comes from.
+    // A ridge on the side of the feature's first profile has that profile on all sides,
+    // and no root. On the other side its places divide the ground as the stroke does from
+    // which it grows.
     int root_of(int end, const Shape& shape, int origin) const {
         if (shape.sides.empty() || origin < 0) return origin;
         const auto [x, y] = shape.sides[origin];

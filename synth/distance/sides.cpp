@@ -26,7 +26,7 @@ PointIndex index_of(const std::vector<SitePoint>& places,
     return index;
 }
 
-// Places of a shape and which of them touch.
+// The connected components of a shape's places, which are connected when they touch.
 class Components {
   public:
     explicit Components(const Shape& shape)
@@ -36,7 +36,8 @@ class Components {
         }
     }
 
-    // Metres along the shape from a place; kFar where it does not lead.
+    // The distances in metres along the shape from a place; kFar for places that are not
+    // connected with it.
     std::vector<float> distances(int from) const {
         std::vector<float> distances(shape_.places.size(), kFar);
         using Entry = std::pair<float, int>;
@@ -60,7 +61,7 @@ class Components {
         return distances;
     }
 
-    // The names of each connected component.
+    // The indices of the places of each component.
     std::vector<std::vector<int>> members() const {
         std::vector<std::vector<int>> members;
         std::vector<bool> seen(shape_.places.size());
@@ -91,7 +92,8 @@ bool is_west_of(const SitePoint& a, const SitePoint& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-// The ground that a component of a shape encloses: the centres of cells of its pitch.
+// The ground that a component of a shape encloses, as the centres of cells that are as
+// large as its pitch.
 std::vector<SitePoint> enclosed_by(const Shape& shape,
                                    const std::vector<int>& component) {
     const double pitch = shape.pitch > 0.0f ? shape.pitch : 1.0;
@@ -124,8 +126,8 @@ std::vector<SitePoint> enclosed_by(const Shape& shape,
     return enclosed;
 }
 
-// A stroke is closed when it goes round something; a few cells that a thick stroke leaves
-// out are nothing.
+// A stroke is closed when it goes round something. A few cells that a thick stroke leaves
+// out do not count.
 bool goes_round(const std::vector<SitePoint>& enclosed,
                 const std::vector<int>& component) {
     return 4 * enclosed.size() > component.size();
@@ -139,7 +141,7 @@ int farthest_of(const std::vector<int>& component, const std::vector<float>& dis
     return *std::ranges::max_element(component, {}, [&](int i) { return distances[i]; });
 }
 
-// Metres from the beginning of one component.
+// The distances in metres from the beginning of a component.
 std::vector<float> distances_along(const Shape& shape, const Components& components,
                                    const std::vector<int>& component) {
     const auto west_of = [&](int a, int b) {
@@ -153,8 +155,9 @@ std::vector<float> distances_along(const Shape& shape, const Components& compone
     return components.distances(std::min(one, other, west_of));
 }
 
-// To the left of where an open component goes on: of the sum of the ways to the places
-// near each, counted by how much farther along they are.
+// The left side of an open component at each of its places. The direction there is the
+// sum of the vectors to the places nearby, weighted by how much farther along the stroke
+// they are.
 void add_left_sides(const Shape& shape, const std::vector<int>& component,
                     const std::vector<float>& along, double reach,
                     std::vector<Vector>& sides) {
@@ -164,17 +167,17 @@ void add_left_sides(const Shape& shape, const std::vector<int>& component,
         double x = 0.0, y = 0.0;
         index.within(here.x, here.y, reach, [&](int name, double) {
             const double on = along[name] - along[i];
-            if (std::abs(on) > 2.0 * reach) return true;  // where the stroke comes back
+            if (std::abs(on) > 2.0 * reach) return true;  // the stroke comes back here
             x += on * (shape.places[name].x - here.x);
             y += on * (shape.places[name].y - here.y);
             return true;
         });
-        // Walking east, the left is north.
+        // When the stroke runs east, its left is north.
         sides[i] = unit_vector(y, -x);
     }
 }
 
-// To the middle of what is enclosed nearby.
+// The unit vector to the middle of the enclosed ground nearby.
 Vector inward(const SitePoint& here, const PointIndex& index,
               const std::vector<SitePoint>& enclosed, const SitePoint& middle,
               double reach) {

@@ -16,8 +16,8 @@
 namespace cydonia::distance {
 namespace {
 
-// The samples [first, last) of one axis whose centres a cell covers; where cells are
-// smaller, the one sample that holds the cell's centre.
+// The samples [first, last) of one axis whose centres a cell covers. Where cells are
+// smaller than samples, it is the one sample that holds the cell's centre.
 std::array<int, 2> samples_of(int cell, int cells, int samples) {
     const auto first = [&](std::int64_t c) {
         return static_cast<int>((2 * c * samples + cells - 1) / (2 * cells));
@@ -28,7 +28,7 @@ std::array<int, 2> samples_of(int cell, int cells, int samples) {
     return {holding, holding + 1};
 }
 
-// In [-1, 1], the same again after a turn.
+// A value in [-1, 1] that repeats after a full turn.
 double round_noise(double angle, std::uint64_t seed) {
     const double x = std::cos(angle), y = std::sin(angle);
     const double sum = gradient_noise(1.5 * x, 1.5 * y, seed) +
@@ -57,7 +57,7 @@ struct Rim {
     }
 };
 
-// A smaller circle is a younger one: it leaves nothing of the rims that were there.
+// A smaller circle is a younger one and erases the rims that were there.
 bool erased(const SitePoint& place, const Rim& rim, const std::vector<Rim>& rims) {
     return std::ranges::any_of(rims, [&](const Rim& other) {
         return other.radius < rim.radius && other.encloses(place);
@@ -87,7 +87,7 @@ Shape rim_shape(const Rim& rim, const std::vector<Rim>& rims, const Site& site) 
         append_line(line, before, here, site.graph.spacing);
         before = here;
     }
-    // Where the curve comes in from outside there is no place before.
+    // Where the curve enters the land there is no place before.
     for (SitePoint& place : line) {
         if (shape.places.empty() || !shows(place)) continue;
         place.root = std::min(place.root, static_cast<int>(shape.places.size()) - 1);
@@ -109,7 +109,7 @@ void check(const Circles& circles, const std::string& group, const Site& site) {
             "group '{}': roughness is {}: it must be at least 0 and below 1", group,
             circles.roughness);
     }
-    // Wherever its centre is, some of a rim lies on the land.
+    // With this radius some of the rim lies on the land wherever its centre is.
     const double most =
         0.5 * std::hypot(site.width, site.depth) / (1.0 + circles.roughness);
     if (high > most) {

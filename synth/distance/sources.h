@@ -9,13 +9,14 @@
 
 namespace cydonia::distance {
 
-// F, Rusnell 2009, section 3.2: where the features of a group are. All throw bad_request,
-// naming the group, for numbers out of range and where nothing is found.
+// F, Rusnell 2009, section 3.2: where the features of a group are. All functions throw
+// bad_request, naming the group, for numbers out of range and when they find nothing.
 
-// Strokes of every picture that groups draw from, read once.
+// The strokes of all pictures that groups name. Each picture is read once.
 class DrawnStrokes {
   public:
-    // Throws bad_request for a drawn colour that no group has, where groups have colours.
+    // Throws bad_request for a drawn colour that no group has, when the groups of a
+    // picture have colours.
     explicit DrawnStrokes(const Site& site);
 
     // Connected components of one colour, in reading order.
@@ -38,8 +39,8 @@ class DrawnStrokes {
 std::vector<Shape> peak_shapes(const Peaks& peaks, const std::string& group,
                                const Site& site, const std::vector<PlacedGroup>& before);
 
-// Closed curves, whatever leaves the land cut off, and rims that a smaller circle has
-// fallen on.
+// Closed curves. What leaves the land is cut off, and so are rims that a smaller circle
+// covers.
 std::vector<Shape> circle_shapes(const Circles& circles, const std::string& group,
                                  const Site& site,
                                  const std::vector<PlacedGroup>& before);
@@ -48,15 +49,16 @@ std::vector<Shape> circle_shapes(const Circles& circles, const std::string& grou
 std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
                                const Site& site);
 
-// One feature a level, its cost set.
+// One feature for each level, with its cost.
 std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& group,
                                   const Site& site);
 
 // One feature: the nodes within the distance that have a neighbour beyond it.
 std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Site& site);
 
-// The cells of each connected component of equal values; components and cells in reading
-// order. Cells that equal `nothing` are in none. Corners connect.
+// The cells of each connected component of equal values. Components and cells are in
+// reading order. Cells that equal `nothing` belong to none, and corners connect. (OpenCV
+// labels the components of a single value only.)
 template <class T>
 std::vector<std::vector<int>> components_of(const Field<T>& cells, const T& nothing) {
     std::vector<std::vector<int>> components;
@@ -87,7 +89,7 @@ std::vector<std::vector<int>> components_of(const Field<T>& cells, const T& noth
     return components;
 }
 
-// Cells of a columns x rows picture that is stretched over the land, as a shape.
+// The shape of some cells of a columns x rows picture that is stretched over the land.
 Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site& site);
 
 }  // namespace cydonia::distance

@@ -68,7 +68,7 @@ class RowBound {
         interpolate(s, start, end);
     }
 
-    // Algorithm 7; before the first anti-shadow as the prose has it (notes.md, Rusnell
+    // Algorithm 7; before the first anti-shadow as the prose has it (docs/papers.md, Rusnell
     // 11).
     void bound_free(const Stretch& s, bool follows, bool leads) {
         if (follows && leads) {

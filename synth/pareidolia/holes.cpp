@@ -7,7 +7,7 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// On every 256 x 256 nodes (notes.md, Rusnell 12); those outside holes are of no use.
+// On every 256 x 256 nodes (docs/papers.md, Rusnell 12); those outside holes are of no use.
 constexpr std::uint64_t kPoints = 16384;
 
 }  // namespace
