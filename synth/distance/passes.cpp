@@ -20,12 +20,13 @@ void with_cost_model(const Ground& ground, std::span<const Start> starts, int fi
     use(ChangingCostModel(shapes, starts, first));
 }
 
-// The starts of some groups, which are the bits of `groups`, as a ground of their own.
+// The starts of some groups as a ground of their own.
 struct Part {
     Features features;
     Shapes shapes;
 };
 
+// `groups` has a bit for each group that is in the part.
 Part part_of(const Ground& ground, std::uint64_t groups) {
     Part part{{}, ground.shapes};
     part.shapes.ways.clear();

@@ -1,6 +1,6 @@
-// Rusnell 2009, section 5.3, step 7, Algorithms 5 to 7, with costs read as heights: a
-// lower bound of the cost is an upper bound of the height, c_min is the tallest primary
-// feature.
+// Rusnell 2009, section 5.3, step 7, Algorithms 5 to 7, with heights instead of costs: a
+// lower bound of the cost is an upper bound of the height, and c_min is the tallest
+// primary feature.
 #include "synth/pareidolia/height_bound.h"
 
 #include <algorithm>
@@ -61,14 +61,15 @@ class RowBound {
             bound_[i] = static_cast<float>(base_[end] + rise_ * (s.past - i));
     }
 
-    // Algorithm 6: from what is known at the start to what is known at the end.
+    // Algorithm 6: from the bound that is known at the start to the one that is known at
+    // the end.
     void bound_anti_shadow(const Stretch& s, bool after_shadow, bool before_shadow) {
         const double start = after_shadow ? bound_[s.first - 1] : base_[s.first];
         const double end = before_shadow ? bound_[s.past] : highest_;
         interpolate(s, start, end);
     }
 
-    // Algorithm 7; before the first anti-shadow as the prose has it (docs/papers.md, Rusnell
+    // Algorithm 7; before the first anti-shadow as in the prose (docs/papers.md, Rusnell
     // 11).
     void bound_free(const Stretch& s, bool follows, bool leads) {
         if (follows && leads) {

@@ -13,7 +13,8 @@ namespace cydonia::pareidolia {
 namespace {
 
 constexpr std::size_t kMostLetters = 256;
-// Units of the drawing, and pixels at most: FreeType fails at magnified letters.
+// The size of an em in units of the drawing. A drawing has at most as many pixels,
+// because FreeType fails at magnified letters.
 constexpr double kEm = 4000.0;
 
 std::vector<char32_t> letters_of(const std::string& text) {
@@ -55,7 +56,7 @@ Font font_for(const std::string& asked, const std::vector<char32_t>& letters,
     return font;
 }
 
-// A rectangle of the drawing, in its units; the text is written from the middle (0, 0).
+// A rectangle of the drawing, in its units. The text is centred on (0, 0).
 struct Box {
     double left, top, width, height;
 };
@@ -69,7 +70,7 @@ std::string drawing(const std::string& text, const Font& font, const Box& page) 
         font.weight, font.style, font.stretch, escaped(text));
 }
 
-// Where letters are, on a page that is large enough for all of them.
+// The rectangle that the letters take. The page is enlarged until all of them fit.
 Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
     Box page{0.0, 0.0, kEm * (double(letters) + 2.0), 4.0 * kEm};
     for (int tries = 0; tries < 6; ++tries) {
@@ -107,7 +108,8 @@ Lettering lettering(const std::string& text, const std::string& font,
     const std::vector<char32_t> letters = letters_of(text);
     const Font used = font_for(font, letters, progress);
     Box page = ink_of(text, used, letters.size());
-    // Casters need light ground before the first letter, and shadows an end.
+    // Casters need light ground before the first letter, and shadows must end on light
+    // ground.
     const double margin = 0.08 * std::max(page.width, page.height);
     page = {page.left - margin, page.top - margin, page.width + 2.0 * margin,
             page.height + 2.0 * margin};

@@ -23,9 +23,9 @@ struct RegionTree {
     int depth_at(std::size_t cell) const { return regions[region_at[cell]].depth; }
 };
 
-// Shadow (1) holds together by corners too, light (0) by sides only: so no two regions
-// cross and the regions form a tree. A region that touches the frame is surrounded by
-// the background there, and light that touches it is background.
+// Shadow (1) is connected across corners as well, light (0) across sides only, so that no
+// two regions cross and the regions form a tree. A region that touches the frame is
+// surrounded by the background there, and light that touches the frame is background.
 RegionTree region_tree(const Field<std::uint8_t>& image);
 
 }  // namespace cydonia::pareidolia

@@ -12,7 +12,7 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// A place on the ground, in shares of its width and depth.
+// A position on the ground, in shares of its width and depth.
 struct GroundPosition {
     double east, south;
 };
@@ -34,7 +34,7 @@ GroundPosition place_of(const distance::Graph& layout, int node) {
             (layout.y_of(node) + 0.5) / layout.height};
 }
 
-// A random place outside the band, the same for every number of samples.
+// A random position outside the band, which is the same for every number of samples.
 std::optional<GroundPosition> vacant_place(const Field<std::uint8_t>& band,
                                            std::uint64_t seed) {
     constexpr std::uint64_t kAttempts = 64;
