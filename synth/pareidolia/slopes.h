@@ -38,7 +38,8 @@ Field<float> spread(const distance::Graph& graph, const Field<float>& generators
 // points.
 Field<float> ceiling(const distance::Graph& graph, const Field<float>& points);
 
-// Section 5.4: what keeps the generators beside a primary one as low as they are.
+// Section 5.4: constant profiles that keep the generators beside a primary one at their
+// own, low heights.
 Field<float> constant_profiles(const Field<float>& primary, double spacing,
                                double mean_edge_weight);
 
