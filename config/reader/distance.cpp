@@ -110,7 +110,7 @@ void read_profiles(Table& t, Options& o, Names& names) {
     t.only_if(names.random_weights, {"profile"}, "a stage without edge_weights");
 }
 
-// Every profile that is asked for by name, once, in the file's order.
+// The names of all profiles that are referred to, each once, in the file's order.
 std::vector<std::string> wanted_profiles(const Options& o) {
     std::vector<std::string> wanted;
     const auto want = [&](const std::string& name) {
@@ -126,7 +126,7 @@ std::vector<std::string> wanted_profiles(const Options& o) {
     return wanted;
 }
 
-// Those that the stage has not itself, from the files that ship.
+// Adds the profiles that the stage does not have itself from the files that ship.
 void add_shipped_profiles(Table& t, Options& o) {
     for (const std::string& name : wanted_profiles(o)) {
         if (std::ranges::find(o.profiles, name, &Profile::name) != o.profiles.end())
@@ -155,7 +155,7 @@ void read(Table& t, Options& o) {
     t.field("combine", o.combine, one_of(kCombines));
     t.field("preview", o.preview, Flag{});
     t.check(!o.groups.empty(), {"group"},
-            "nothing to build from; give at least one [[terrain.stage.group]]");
+            "the stage has no features; add at least one [[terrain.stage.group]]");
 }
 
 }  // namespace cydonia::config

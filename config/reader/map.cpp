@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array<double, 4> kUnset{0.0, 0.0, 0.0, 0.0};
 
-// What all outlines cover.
+// The bounding box of all outlines.
 std::array<double, 4> bounds_of(const MapOptions& map) {
     std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
     for (const Region& region : map.regions)
@@ -41,7 +41,7 @@ std::string spaced(std::string name) {
     return name;
 }
 
-// As the library has them.
+// Replaces the names of types by the library's spelling.
 void name_types(MapOptions& map, const LibraryOptions& library) {
     for (Region& region : map.regions)
         for (const auto& type : library.types)
@@ -101,11 +101,15 @@ MapOptions load_map(const std::filesystem::path& file, const LibraryOptions& lib
         throw bad_request(
             "{}: a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file",
             file.string());
-    if (map.regions.empty()) throw bad_request("{}: it has no regions", file.string());
+    if (map.regions.empty())
+        throw bad_request(
+            "{}: it has no regions; give at least one outline with a terrain type",
+            file.string());
     if (map.window == kUnset) map.window = bounds_of(map);
     if (!(map.window[0] < map.window[2] && map.window[1] < map.window[3]))
-        throw bad_request("{}: its window is west, south, east, north, and encloses land",
-                          file.string());
+        throw bad_request(
+            "{}: its window must be west, south, east and north, and enclose land",
+            file.string());
     name_types(map, library);
     return map;
 }

@@ -12,8 +12,9 @@ namespace cydonia::config {
 //   .geojson (.json), .shp, .gpkg
 //              polygons with an attribute "type" (or "terrain"), read by GDAL's OGR
 //   .map       the thesis' own (Saunders 2006, figure V.10): v, tt and f records
-// Without a window what all regions cover; of a drawing its page. Types may have
-// underscores for spaces. Throws bad_request: file:line: message where there are lines.
+// Without a window it is what all regions cover, or the page of a drawing. The names of
+// types may have underscores instead of spaces. Throws bad_request that names the file,
+// and the line where the format has lines.
 genetic::MapOptions load_map(const std::filesystem::path& file,
                              const genetic::LibraryOptions& library);
 

@@ -17,7 +17,7 @@ genetic::MapOptions map_from_ogr(const std::filesystem::path& file, VectorFormat
 genetic::MapOptions map_from_svg(const std::filesystem::path& file,
                                  const genetic::LibraryOptions& library);
 
-// "mountains 3" where a file gives none.
+// The name of a region whose file gives none, such as "mountains 3".
 std::string name_of_region(const genetic::MapOptions& map, const std::string& type);
 
 }  // namespace cydonia::config

@@ -54,17 +54,19 @@ struct FramesTable {
 void read(Table& t, FramesTable& out,
           const std::vector<render::CameraOptions>& cameras);  // frames.cpp
 
-// A sun that casts shadows: above the horizon and not overhead.
+// The unit of the elevation of a sun that casts shadows: above the horizon and not
+// overhead.
 struct SunElevation {
     static constexpr bool kVaries = true;
     double read(const Value& value, Files& files) const;
     std::string text(double radians) const { return Degrees{}.text(radians); }
     std::string schema() const;
 };
-// One turn either way, so that a sun may pass through north: 350 to 370.
+// Azimuths may exceed a turn in both directions, so that a sun can pass through north
+// from 350 to 370.
 constexpr Degrees kAzimuth{from(-360.0, 720.0)};
 
-// 0 <= r < mu_w: an edge that costs nothing or less would let Dijkstra run in circles.
+// Checks 0 <= r < mu_w, because Dijkstra's algorithm needs edges of positive cost.
 void check_edge_weights(Table& t, double mean, double deviation);  // common.cpp
 
 }  // namespace cydonia::config

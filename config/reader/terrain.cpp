@@ -36,7 +36,7 @@ std::vector<Name<StageReader>> readers_of(std::type_identity<std::variant<Option
     return readers;
 }
 
-// Every method of synth/stage.h by its name, with what reads it.
+// The readers of all methods in synth/stage.h, by the methods' names.
 const std::vector<Name<StageReader>>& stage_readers() {
     static const auto readers = readers_of(std::type_identity<StageOptions>{});
     return readers;
@@ -47,7 +47,7 @@ constexpr int kMostSamples = 16384;
 constexpr int kMostTiledSamples = 65536;
 constexpr int kMostTiles = 64;  // a side
 
-// Land of more samples than memory holds.
+// Checks the options of land with more samples than memory can hold.
 void check_tiles(Table& t, const TerrainSpec& terrain,
                  const std::vector<StageSpec>& stages) {
     const auto [samples, tiles] = std::pair(terrain.samples, terrain.tiles);
@@ -56,16 +56,18 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
                         kMostSamples));
     if (tiles == 0) return;
     t.check(tiles % 256 == 0, {"tiles"}, "must be a multiple of 256");
-    t.check(samples <= kMostTiles * tiles, {"tiles"},
-            fmt::format("at most {} a side: let them have {} samples or more", kMostTiles,
-                        (samples - 1) / kMostTiles / 256 * 256 + 256));
+    t.check(
+        samples <= kMostTiles * tiles, {"tiles"},
+        fmt::format("at most {} tiles along a side are possible: set tiles to {} or more",
+                    kMostTiles, (samples - 1) / kMostTiles / 256 * 256 + 256));
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const StageOptions& options = stages[i].options;
         const std::string_view reason = whole_because(options);
         t.check(reason.empty(), {"tiles"},
                 fmt::format("land of stage[{}] cannot be made in tiles: {}", i, reason));
         t.check(makes_land(options) == (i == 0), {"tiles"},
-                "land in tiles has one stage that makes it, and details after that");
+                "land in tiles needs a first stage that makes it, and only detail stages "
+                "after that");
     }
 }
 

@@ -63,7 +63,8 @@ TEST_F(MapFile, BadToml) {
     const auto refused = [&](const std::string& text, std::string_view words) {
         expect_refused("m.toml", text, words);
     };
-    refused("", "m.toml: it has no regions");
+    refused("",
+            "m.toml: it has no regions; give at least one outline with a terrain type");
     refused("[[region]]\n" + outline, "m.toml:1:1: region[0]: missing key 'type'");
     refused("[[region]]\ntype = \"plain\"\n", "region[0]: missing key 'outline'");
     refused("[[region]]\ntype = \"plain\"\noutline = [[0, 0], [1, 1]]\n",
@@ -76,7 +77,7 @@ TEST_F(MapFile, BadToml) {
             "did you mean 'type'?");
     refused("smoothness = 2\n[[region]]\ntype = \"plain\"\n" + outline, "m.toml:1:");
     refused("window = [3, 0, 1, 1]\n[[region]]\ntype = \"plain\"\n" + outline,
-            "its window is west, south, east, north");
+            "its window must be west, south, east and north");
     refused("[[region]\n", "m.toml:1:");
 }
 
@@ -119,8 +120,10 @@ TEST_F(MapFile, BadGeoJson) {
     refused("3", "with a FeatureCollection or a Feature");
     refused("{\"type\":\"FeatureCollection\",\"features\":[\n]", "line 2, character");
     refused(R"({"type":"FeatureCollection"})", "Missing 'features' member");
-    refused(R"({"type":"FeatureCollection","features":[]})", "it has no regions");
-    refused(R"({"type":"FeatureCollection","features":[7]})", "it has no regions");
+    refused(R"({"type":"FeatureCollection","features":[]})",
+            "it has no regions; give at least one outline with a terrain type");
+    refused(R"({"type":"FeatureCollection","features":[7]})",
+            "it has no regions; give at least one outline with a terrain type");
     refused(
         feature("{}", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"),
         "feature 1: it needs an attribute 'type'");
@@ -172,7 +175,7 @@ TEST_F(MapFile, BadThesisForm) {
     refused(corners + "tt plain\nf 1 2 3x\n", "m.map:5: there is no corner '3x'");
     refused(corners + "tt plain\nf 1 2 -9223372036854775808\n", "m.map:5: there is no");
     refused(corners + "usemtl plain\n", "m.map:4: unknown record 'usemtl'");
-    refused(corners, "it has no regions");
+    refused(corners, "it has no regions; give at least one outline with a terrain type");
 }
 
 std::string drawing(const std::string& shapes) {
@@ -221,7 +224,8 @@ TEST_F(MapFile, SvgColoursByName) {
 
 TEST_F(MapFile, BadSvg) {
     expect_refused("m.svg", "<svg", "m.svg");
-    expect_refused("m.svg", drawing(""), "it has no regions");
+    expect_refused("m.svg", drawing(""),
+                   "it has no regions; give at least one outline with a terrain type");
     expect_refused("m.svg",
                    drawing(R"(<rect id="pond" width="9" height="9" fill="#0000ff"/>)"),
                    "pond: the colour #0000ff is no type's");
@@ -324,9 +328,10 @@ TEST_F(SeamFile, BadToml) {
     const auto refused = [&](const std::string& text, std::string_view words) {
         expect_refused("l.toml", kTypes + text, words);
     };
-    refused("[[seam]]\nbetween = [\"plain\"]\nsmoothness = 0.3\n", "names two types");
+    refused("[[seam]]\nbetween = [\"plain\"]\nsmoothness = 0.3\n",
+            "must name two different types");
     refused("[[seam]]\nbetween = [\"plain\", \"plain\"]\nsmoothness = 0.3\n",
-            "names two types");
+            "must name two different types");
     refused("[[seam]]\nbetween = [\"plain\", \"hils\"]\nsmoothness = 0.3\n",
             "did you mean 'hills'?");
     refused("[[seam]]\nbetween = [\"plain\", \"hills\"]\nsmoothness = 1.3\n",

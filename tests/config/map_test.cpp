@@ -55,7 +55,8 @@ TEST_F(Maps, TheThesisOwnWrong) {
               "a.map:3: a face has at least three corners");
     EXPECT_EQ(wrong("a.map", "vt 0 0\n"),
               "a.map:1: unknown record 'vt'; known: v, tt, f");
-    EXPECT_EQ(wrong("a.map", "# nothing\n"), "a.map: it has no regions");
+    EXPECT_EQ(wrong("a.map", "# nothing\n"),
+              "a.map: it has no regions; give at least one outline with a terrain type");
     EXPECT_EQ(wrong("a.txt", "v 0 0\n"),
               "a.txt: a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file");
 }

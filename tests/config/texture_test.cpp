@@ -165,9 +165,10 @@ TEST_F(TextureStage, HeightsVaryInTime) {
 }
 
 TEST_F(TextureStage, NothingToMakeLandOf) {
-    EXPECT_EQ(complaint(kStage),
-              "scene.toml:1:1: terrain.stage[0].exemplars: nothing to make land of; name "
-              "elevation models, or \"package:jacksboro\" to begin with");
+    EXPECT_EQ(
+        complaint(kStage),
+        "scene.toml:1:1: terrain.stage[0].exemplars: there are no exemplars to make land "
+        "from; name elevation models, or \"package:jacksboro\" to begin with");
 }
 
 TEST_F(TextureStage, FolderWithoutAMatch) {
