@@ -35,8 +35,7 @@ Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& no
     if (!(terrain.spacing > 0.0 && std::isfinite(terrain.spacing)))
         throw bad_request(
             "it has no attribute cydonia:spacing, so the size of its cells is unknown; "
-            "give "
-            "a GeoTIFF");
+            "give a GeoTIFF");
     if (heights.width() < 2 || heights.height() < 2)
         throw bad_request("{} x {} heights, fewer than 2 x 2", heights.width(),
                           heights.height());

@@ -47,8 +47,7 @@ void fill_voids(Field<float>& heights, double most, Notes& notes) {
     if (share > most)
         throw bad_request(
             "{:.1f}% of its cells have no height; at most {:.0f}% are interpolated, cut "
-            "out a "
-            "part with fewer",
+            "out a part with fewer",
             100.0 * share, 100.0 * most);
 
     const Dataset filled = memory_dataset(heights.width(), heights.height(), GDT_Float32);

@@ -18,8 +18,7 @@ constexpr std::size_t kLargestSvg = std::size_t{32} << 20;
 
 constexpr std::string_view kCrispStyle =
     "* { shape-rendering: crispEdges !important; text-rendering: optimizeSpeed "
-    "!important; "
-    "image-rendering: optimizeSpeed !important }";
+    "!important; image-rendering: optimizeSpeed !important }";
 
 using Handle = std::unique_ptr<RsvgHandle, Released<g_object_unref>>;
 using Surface = std::unique_ptr<cairo_surface_t, Released<cairo_surface_destroy>>;

@@ -54,7 +54,8 @@ Fill fill_of(std::string_view text) {
 
 // The value of an element's own property; its style takes precedence over its attribute.
 Fill filled(const xmlNode& element, const Fill& around) {
-    std::string style = ";" + attribute(element, "style");
+    std::string style = attribute(element, "style");
+    style.insert(style.begin(), ';');
     std::erase(style, ' ');
     std::string text = attribute(element, "fill");
     if (const auto at = style.find(";fill:"); at != style.npos)

@@ -130,10 +130,9 @@ void say_contradictions(const Contradictions& found,
     }
     progress.warn(
         fmt::format("the images contradict one another under their suns: {} cells are "
-                    "relaxed; in any "
-                    "land at least {} cells are wrong, and the mean IoU cannot be above "
-                    "{:.3f}: move, "
-                    "turn or scale an image so that they share fewer lines of light, or "
+                    "relaxed; in any land at least {} cells are wrong, and the mean IoU "
+                    "cannot be above {:.3f}: move, turn or scale an image so that they "
+                    "share fewer lines of light, or "
                     "bring the suns together",
                     cells, found.least_wrong, found.bound));
 }
