@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "field/cells_inside.h"
+#include "field/enclosed.h"
 #include "field/error.h"
 #include "field/strokes.h"
 
@@ -99,34 +100,14 @@ Regions regions_of(const Options& options, const Graph& graph, const Features& f
 }
 
 Field<std::uint8_t> enclosed(const Graph& graph, const Features& features, int group) {
-    // Cells that the outside reaches across their sides without crossing a stroke are not
-    // enclosed.
-    constexpr std::uint8_t kStroke = 2;
-    Field<std::uint8_t> inside(graph.width + 2, graph.height + 2, 1);
+    Field<std::uint8_t> strokes(graph.width, graph.height);
     for (int f = 0; f < features.count(); ++f) {
         if (features.features[f].group != group) continue;
         for (const Start& start : features.of(f)) {
-            inside(graph.x_of(start.node) + 1, graph.y_of(start.node) + 1) = kStroke;
+            strokes(graph.x_of(start.node), graph.y_of(start.node)) = 1;
         }
     }
-    std::vector<int> reached{0};
-    inside[0] = 0;
-    while (!reached.empty()) {
-        const int x = reached.back() % inside.width();
-        const int y = reached.back() / inside.width();
-        reached.pop_back();
-        for (const auto& [nx, ny] :
-             {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
-            if (!inside.contains(nx, ny) || inside(nx, ny) != 1) continue;
-            inside(nx, ny) = 0;
-            reached.push_back(ny * inside.width() + nx);
-        }
-    }
-    Field<std::uint8_t> result(graph.width, graph.height);
-    for (int y = 0; y < graph.height; ++y)
-        for (int x = 0; x < graph.width; ++x)
-            result(x, y) = inside(x + 1, y + 1) == 1 ? 1 : 0;
-    return result;
+    return enclosed_by(strokes);
 }
 
 }  // namespace cydonia::distance

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <opencv2/imgproc.hpp>
 #include <queue>
+
+#include "field/enclosed.h"
 
 namespace cydonia::distance {
 namespace {
@@ -94,8 +95,8 @@ bool is_west_of(const SitePoint& a, const SitePoint& b) {
 
 // The ground that a component of a shape encloses, as the centres of cells that are as
 // large as its pitch.
-std::vector<SitePoint> enclosed_by(const Shape& shape,
-                                   const std::vector<int>& component) {
+std::vector<SitePoint> ground_within(const Shape& shape,
+                                     const std::vector<int>& component) {
     const double pitch = shape.pitch > 0.0f ? shape.pitch : 1.0;
     double west = kFar, north = kFar, east = -kFar, south = -kFar;
     for (int i : component) {
@@ -103,22 +104,19 @@ std::vector<SitePoint> enclosed_by(const Shape& shape,
         west = std::min<double>(west, p.x), east = std::max<double>(east, p.x);
         north = std::min<double>(north, p.y), south = std::max<double>(south, p.y);
     }
-    west -= pitch, north -= pitch;  // one free cell all round
-    cv::Mat free(static_cast<int>((south - north) / pitch + 0.5) + 2,
-                 static_cast<int>((east - west) / pitch + 0.5) + 2, CV_8U, cv::Scalar(1));
+    west -= pitch, north -= pitch;
+    Field<std::uint8_t> drawn(static_cast<int>((east - west) / pitch + 0.5) + 2,
+                              static_cast<int>((south - north) / pitch + 0.5) + 2);
     for (int i : component) {
         const SitePoint& p = shape.places[i];
-        free.at<std::uint8_t>(static_cast<int>((p.y - north) / pitch + 0.5),
-                              static_cast<int>((p.x - west) / pitch + 0.5)) = 0;
+        drawn(static_cast<int>((p.x - west) / pitch + 0.5),
+              static_cast<int>((p.y - north) / pitch + 0.5)) = 1;
     }
-    cv::Mat labels;  // 0 where the shape is drawn
-    cv::connectedComponents(free, labels, 4, CV_32S);
-    const int outside = labels.at<int>(0, 0);
+    const Field<std::uint8_t> mask = enclosed_by(drawn);
     std::vector<SitePoint> enclosed;
-    for (int y = 0; y < labels.rows; ++y) {
-        for (int x = 0; x < labels.cols; ++x) {
-            const int label = labels.at<int>(y, x);
-            if (label == 0 || label == outside) continue;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            if (mask(x, y) == 0) continue;
             enclosed.push_back({static_cast<float>(west + x * pitch),
                                 static_cast<float>(north + y * pitch)});
         }
@@ -134,7 +132,7 @@ bool goes_round(const std::vector<SitePoint>& enclosed,
 }
 
 bool is_closed(const Shape& shape, const std::vector<int>& component) {
-    return shape.centre || goes_round(enclosed_by(shape, component), component);
+    return shape.centre || goes_round(ground_within(shape, component), component);
 }
 
 int farthest_of(const std::vector<int>& component, const std::vector<float>& distances) {
@@ -225,7 +223,7 @@ std::vector<Vector> left_sides(const Shape& shape, double reach) {
     }
     const Components components(shape);
     for (const std::vector<int>& component : components.members()) {
-        const std::vector<SitePoint> enclosed = enclosed_by(shape, component);
+        const std::vector<SitePoint> enclosed = ground_within(shape, component);
         if (!goes_round(enclosed, component)) {
             add_left_sides(shape, component,
                            distances_along(shape, components, component), reach, sides);
