@@ -1,4 +1,4 @@
-// Maps of terrain types, as files of all formats that are text.
+// Maps of terrain types in the formats that are text.
 #include "config/reader/map.h"
 
 #include <gtest/gtest.h>
@@ -214,7 +214,7 @@ TEST_F(MapFile, OpenSvgPathsAreClosed) {
     EXPECT_EQ(map.regions[0].outlines[0].size(), 3u);
 }
 
-// Fills that CSS has words for.
+// Fills with the colour names of CSS.
 TEST_F(MapFile, SvgColoursByName) {
     library.types[0].colour = {0, 128, 0};
     const MapOptions map = load(
@@ -250,7 +250,7 @@ TEST_F(MapFile, SizesAreBounded) {
     EXPECT_THROW(load("m.map", std::string((16u << 20) + 1, '#')), Error);
 }
 
-// Bytes of good files, some of them changed: a map or our own message.
+// Good files with some bytes changed give a map or our own message.
 TEST_F(MapFile, SpoiltFilesEndInAMapOrAMessage) {
     const std::vector<std::pair<std::string, std::string>> good = {
         {"m.toml",
@@ -312,7 +312,7 @@ TEST_F(SeamFile, Toml) {
     EXPECT_EQ(library.types[0].colour, (std::array<std::uint8_t, 3>{16, 32, 48}));
 }
 
-// Types without a colour get one of their own.
+// Types without a colour get different ones.
 TEST_F(SeamFile, ColoursDiffer) {
     std::string text;
     for (int i = 0; i < 64; ++i)

@@ -27,7 +27,7 @@ class TextureStage : public SceneFile {
     Options stage(const std::string& keys) {
         return std::get<Options>(scene(keys).stages.at(0).options);
     }
-    // What is wrong with a stage of one exemplar and these keys.
+    // The message for a stage with one exemplar and these keys.
     std::string wrong(const std::string& keys) {
         return complaint(kStage + "exemplars = 'fell.tif'\n" + keys);
     }

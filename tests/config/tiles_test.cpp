@@ -9,7 +9,7 @@ const std::string kTexture =
 struct Tiles : SceneFile {
     Tiles() { std::ofstream(folder_ / "fell.tif") << "heights"; }
 
-    // What is wrong with land of these keys and stages.
+    // The message for land with these keys and stages.
     std::string wrong(const std::string& terrain, const std::string& stages = kTexture) {
         return complaint("[terrain]\n" + terrain + stages);
     }

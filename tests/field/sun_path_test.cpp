@@ -45,8 +45,9 @@ TEST(SunPath, TheExampleOfNrel) {
     EXPECT_NEAR(degrees(sun_at(golden, date, hour).elevation), 90.0 - 50.11162, 0.01);
 }
 
-// The same report, for 17 October by universal time: sunrise 06:12:43 that day and sunset
-// 17:20:19 of the day before by the clock there; the sun's middle is 0.8333 degrees low.
+// The same report for 17 October in universal time: by the local clock, sunrise is at
+// 06:12:43 on that day and sunset at 17:20:19 on the day before. The sun's centre is then
+// 0.8333 degrees below the horizon.
 TEST(SunPath, SunriseAndSunset) {
     const auto day_of = [](const Date& date) {
         const GeographicPosition golden = place(39.742476, -105.1786);
@@ -129,7 +130,7 @@ TEST(SunPath, NearestIsTheMomentItself) {
         EXPECT_NEAR(found.hour, hour, 1e-3);
         EXPECT_LT(degrees(found.off), 1e-3);
     }
-    // Never in the north: as near as it comes is where it rises or sets.
+    // The sun is never in the north. It comes nearest where it rises or sets.
     const Approach far = nearest(path, {0.0, radians(10.0)}, *day);
     EXPECT_GT(degrees(far.off), 40.0);
     EXPECT_TRUE(far.hour == day->from || far.hour == day->to);
@@ -140,7 +141,7 @@ TEST(SunPath, TheYearFindsTheDay) {
     const Sun wanted = sun_path(at, {2026, 4, 12}, 1.0)(16.5);
     const auto days = approaches_in(2026, at, 1.0, wanted);
     ASSERT_EQ(days.size(), 365u);
-    // The sun comes by twice a year, as long before the solstice as after.
+    // The sun passes twice a year, as many days before the solstice as after it.
     for (const DayApproach& day : days) {
         const long off = std::abs(day_number(day.date) - day_number({2026, 4, 12}));
         const long mirrored = std::abs(day_number(day.date) - day_number({2026, 8, 30}));

@@ -41,7 +41,7 @@ Field<std::uint8_t> ring(int width, int height, double x, double y, double radiu
     return target;
 }
 
-// What the solver made, and all that it said.
+// The solver's result, and all of its messages.
 struct Land {
     Terrain terrain;
     std::vector<ShadowImage> images;
@@ -78,7 +78,7 @@ bool all_finite(const Field<float>& heights) {
                        [](float h) { return std::isfinite(h); });
 }
 
-// Of all the land's slope there, how much is another than it was.
+// The share of the land's slope there that has changed.
 double changed_slope(const Field<float>& land, const Field<float>& base,
                      const Field<float>& away, float at_least) {
     double changed = 0.0, all = 0.0;

@@ -14,7 +14,7 @@
 namespace cydonia::distance {
 namespace {
 
-// The textbook's algorithm on the whole graph, with the standard queue.
+// The algorithm of textbooks on the whole graph, with the standard queue.
 template <class CostModel>
 std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
                              const CostModel& model) {
@@ -152,7 +152,7 @@ TEST(LeastCost, EqualsReferenceWithAFactorForEachStart) {
         const auto starts = random_starts(graph, 40, 3000.0, seed);
         std::vector<float> factors;
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            // So far apart that steps leave the queue's ring.
+            // Costs so far apart that steps leave the queue's ring.
             const double power = 4.0 * unit(hash_of({seed, i})) - 2.0;
             factors.push_back(static_cast<float>(std::pow(10.0, power)));
         }

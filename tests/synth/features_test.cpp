@@ -64,7 +64,7 @@ struct Land {
     }
 };
 
-// What a test draws, gone with it.
+// A drawing of a test, which is removed with this object.
 class Pictures {
   public:
     Source svg(const std::string& body) {
@@ -134,7 +134,7 @@ void expect_refused(const Options& options, const std::string& words) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
-// Whether ground connected by its sides leads from a node to the land's edge.
+// Whether a node is connected with the land's edge across the sides of cells.
 bool leads_out(const Land& land, int feature, int node) {
     Field<char> seen(land.graph.width, land.graph.height);
     for (const Start& start : land.features.of(feature)) {

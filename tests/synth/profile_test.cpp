@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> shipped() {
     return files;
 }
 
-// Every shipped profile as it is, in layers, with detail, and with both.
+// Every shipped profile unchanged, in layers, with detail, and with both.
 std::vector<Profile> all_shapes() {
     std::vector<Profile> shapes;
     for (const auto& file : shipped()) {
@@ -210,7 +210,7 @@ TEST(Profile, FlatToTheEnds) {
                 1.0);
 }
 
-// Ledges of a straight slope: runs of ground much less steep than it.
+// The ledges of a straight slope: runs of ground that are much less steep.
 int ledges(const Descent& line, double slope) {
     int count = 0;
     bool on_ledge = false;
