@@ -118,7 +118,7 @@ std::array<double, 6> transform_of(GDALDataset& file, const OGRSpatialReference&
             "with gdal_translate -a_ullr");
     if (!std::all_of(t.begin(), t.end(), [](double v) { return std::isfinite(v); }) ||
         t[1] == 0.0 || t[5] == 0.0)
-        throw bad_request("its coordinates are not usable");
+        throw bad_request("its coordinates are not finite or its cells have no size");
     if (t[2] != 0.0 || t[4] != 0.0 || t[1] < 0.0)
         throw bad_request(
             "its grid is turned or mirrored; put north up with gdalwarp first");

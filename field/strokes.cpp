@@ -98,7 +98,7 @@ Field<Rgba8> painted_with(Palette palette, const Field<Rgba8>& image,
         if (near_a_stroke(result, x, y)) continue;
         throw bad_request(
             "colour #{:02x}{:02x}{:02x} of {} has no group or type: give it one, or "
-            "leave it out",
+            "remove it from the drawing",
             image[i][0], image[i][1], image[i][2], source.name());
     }
     return result;
@@ -181,7 +181,7 @@ Field<Rgba8> read_strokes(const Source& source, int width, int height, Palette p
     Field<Rgba8> cells = touched_cells(image, width, height);
     if (std::all_of(cells.begin(), cells.end(), [](Rgba8 p) { return p == kNothing; }))
         throw bad_request(
-            "{}: nothing is drawn in it (white and transparent count as nothing)",
+            "{}: nothing is drawn in it (white and transparent pixels do not count)",
             source.path.string());
     return cells;
 }

@@ -139,7 +139,9 @@ Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int wid
     const Handle handle = opened(name, text, edges);
     const RsvgRectangle page = page_of(handle.get(), width, height);
     if (!(page.width > 0.0 && page.height > 0.0))
-        throw bad_request("{}: the drawing has no size", name);
+        throw bad_request(
+            "{}: the drawing has no size; give its <svg> a width and height or a viewBox",
+            name);
 
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
     const Canvas canvas(cairo_create(surface.get()));

@@ -169,7 +169,7 @@ void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::stri
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const Point2& p : points)
         if (!(std::abs(p[0]) < kFarthest && std::abs(p[1]) < kFarthest))
-            throw bad_request("a path lies a million pages away");
+            throw bad_request("a path lies more than a million pages away");
     count_ += points.size();
     if (points.size() > 1) paths_.push_back({id, names, std::move(points), fill, shape_});
 }
@@ -209,7 +209,10 @@ bool SvgPath::is_called(const std::string& name) const {
 std::vector<SvgPath> svg_paths(const Source& source, double tolerance) {
     const std::string name = source.path.string();
     const std::array<double, 2> page = page_size(source);
-    if (!(page[0] > 0.0)) throw bad_request("{}: the drawing has no size", name);
+    if (!(page[0] > 0.0))
+        throw bad_request(
+            "{}: the drawing has no size; give its <svg> a width and height or a viewBox",
+            name);
     const SvgDocument document(source);
     const xmlNode& root = document.root();
 

@@ -111,7 +111,7 @@ Reading tabled(const Source& source, const std::string& what) {
         if (line.empty()) continue;
         CurvePoint point{};
         if (!parse(line, point)) {
-            throw bad_request("{}:{}: two numbers 'x, f(x)' are needed", reading.name,
+            throw bad_request("{}:{}: expected two numbers 'x, f(x)'", reading.name,
                               number);
         }
         reading.points.push_back(point);
@@ -137,7 +137,7 @@ Reading reading_of(const Curve& curve, const std::string& what) {
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!(std::abs(points[i].x) <= kMost && std::abs(points[i].f) <= kMost)) {
-            throw reading.error(i, "not a number of any use");
+            throw reading.error(i, "the number is not finite or too large");
         }
         if (i > 0 && !(points[i].x > points[i - 1].x)) {
             throw reading.error(i, fmt::format("x must increase, but {} follows {}",

@@ -98,7 +98,7 @@ Shape shape_where(const Field<float>& costs, const Field<float>& land, const Sit
 
 void check(const Terraces& terraces, const std::string& group, double width) {
     if (terraces.levels.empty()) {
-        throw bad_request("group '{}': terraces without a level", group);
+        throw bad_request("group '{}': its terraces have no level; add one", group);
     }
     for (std::size_t i = 0; i < terraces.levels.size(); ++i) {
         const auto [low, high] = terraces.levels[i].range;

@@ -28,7 +28,7 @@ void check_sun(const ImageOptions& options) {
     const double elevation = options.elevation.value_or(kLowest);
     if (!(elevation > 0.0 && elevation < radians(89.9)))
         throw bad_request(
-            "sun: elevation {} degrees casts no shadow: above 0 and below 90",
+            "sun: elevation {} degrees casts no shadow: it must be above 0 and below 90",
             degrees(elevation));
 }
 

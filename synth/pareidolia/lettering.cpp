@@ -21,12 +21,14 @@ std::vector<char32_t> letters_of(const std::string& text) {
     const auto letters = characters_of(text);
     if (!letters) throw bad_request("text: it is not UTF-8");
     if (letters->size() > kMostLetters)
-        throw bad_request("text: {} letters, more than {}", letters->size(),
+        throw bad_request("text: {} letters are too many; at most {}", letters->size(),
                           kMostLetters);
     for (const char32_t c : *letters)  // what XML 1.0 cannot hold, and line breaks
         if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff)
-            throw bad_request("text: control character U+{:04X}; one line of letters",
-                              static_cast<std::uint32_t>(c));
+            throw bad_request(
+                "text: it contains the control character U+{:04X}; write one line of "
+                "letters",
+                static_cast<std::uint32_t>(c));
     return *letters;
 }
 
@@ -43,16 +45,17 @@ Font font_for(const std::string& asked, const std::vector<char32_t>& letters,
     const Font font = installed_font(asked);
     if (!is_named(font, asked))
         progress.warn(
-            fmt::format("font '{}' is not installed: '{}' stands for it; fc-list names "
-                        "those that are",
+            fmt::format("font '{}' is not installed: '{}' is used instead; fc-list lists "
+                        "the installed fonts",
                         asked, font.name));
     if (const auto none = without_any_shape(letters); !none.empty())
         throw bad_request(
             "text: no installed font has a shape for {}; install one that has",
             codes_of(none));
     if (const auto missing = without_shape(font, letters); !missing.empty())
-        progress.warn(fmt::format("font '{}' has no shape for {}: another font's is used",
-                                  font.name, codes_of(missing)));
+        progress.warn(fmt::format(
+            "font '{}' has no shape for {}: the shape of another font is used", font.name,
+            codes_of(missing)));
     return font;
 }
 
@@ -90,7 +93,7 @@ Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
                 top = std::min(top, y);
                 bottom = std::max(bottom, y);
             }
-        if (right < 0) throw bad_request("text '{}': nothing in it draws", text);
+        if (right < 0) throw bad_request("text '{}': it has no visible letter", text);
         if (left > 0 && top > 0 && right < drawn.width() - 1 &&
             bottom < drawn.height() - 1)
             return {page.left + left / scale, page.top + top / scale,
@@ -98,7 +101,8 @@ Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
         page.width *= 1.6;  // wider letters than an em
         page.height *= 1.6;
     }
-    throw bad_request("text '{}': its letters are larger than letters are", text);
+    throw bad_request("text '{}': its letters are too large to draw; choose another font",
+                      text);
 }
 
 }  // namespace

@@ -398,9 +398,9 @@ TEST(Curve, OfATableWithAFlaw) {
     refused("0, 1\n1,\n", "a.csv:2: two numbers");
     refused("0, 1\n1 0\n", "a.csv:2: two numbers");
     refused(std::string("0, 1\n1, \0 0\n", 12), "a.csv:2: two numbers");
-    refused("0, 1\n1, nan\n", "a.csv:2: not a number of any use");
-    refused("0, 1\ninf, 0\n", "a.csv:2: not a number of any use");
-    refused("0, 1\n1, -1e300\n", "a.csv:2: not a number of any use");
+    refused("0, 1\n1, nan\n", "a.csv:2: the number is not finite or too large");
+    refused("0, 1\ninf, 0\n", "a.csv:2: the number is not finite or too large");
+    refused("0, 1\n1, -1e300\n", "a.csv:2: the number is not finite or too large");
     refused("0, 1\n1, 1e999\n", "a.csv:2: two numbers");
     refused("0, 1\n\n1, 0.5\n0.5, 0\n", "a.csv:4: x must increase, but 0.5 follows 1");
     refused("0, 1\n1, 0.5\n# up\n2, 0.7\n3, 0\n",
