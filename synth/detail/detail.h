@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
-
 #include "field/terrain.h"
-#include "synth/context.h"
 #include "synth/detail/example.h"
 #include "synth/detail/layers.h"
+#include "synth/detail/options.h"
 #include "synth/detail/window.h"
+#include "synth/method.h"
 
 namespace cydonia::detail {
 
@@ -20,8 +19,9 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
 
 inline constexpr int kVersion = 1;  // raised when the same options give other heights
 
-// Heights of the land so far: so many, from a column and a row on.
-using Heights = std::function<Field<float>(int x, int y, int width, int height)>;
+Method method_of(const Options& options);
+std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
+                          std::uint64_t threads);
 
 // width x height of the heights that run() gives, from column x and row y on, to the last
 // bit. Not with PatchMatch, which goes on from block to block, nor with a painting or

@@ -79,36 +79,36 @@ void judge(const Options& options, const LevelSamples& finest, const MapRaster& 
         judged.spacing *= options.ratio;
         regions = coarser(regions, options.ratio);
     }
-    std::vector<Type> types;
+    std::vector<statistics::Type> types;
     std::vector<int> index(options.library.types.size(), -1);
     for (std::size_t t = 0; t < options.library.types.size(); ++t) {
         if (finest.of_type[t].empty()) continue;
         index[t] = int(types.size());
-        Type type{.name = options.library.types[t].name, .examples = {}};
+        statistics::Type type{.name = options.library.types[t].name, .examples = {}};
         for (const int s : finest.of_type[t]) {
             const Sample& sample = finest.all[std::size_t(s)];
             Terrain land;
             land.spacing = finest.spacing;
             land.heights = sample.land->heights;
             for (float& h : land.heights) h *= sample.gain;
-            type.examples.push_back(analysis_of(land));
+            type.examples.push_back(statistics::analysis_of(land));
             if (sample.smaller)
-                type.examples.back()[std::size_t(Quantity::kElevation)] = {};
+                type.examples.back()[std::size_t(statistics::Quantity::kElevation)] = {};
         }
         types.push_back(std::move(type));
     }
-    const Library library(std::move(types));
-    const std::vector<Analysis> of_regions =
-        analyses_of(judged, regions.at, int(regions.types.size()));
+    const statistics::Library library(std::move(types));
+    const std::vector<statistics::Analysis> of_regions =
+        statistics::analyses_of(judged, regions.at, int(regions.types.size()));
     double sum = 0.0, cells = 0.0;
     for (std::size_t r = 0; r < regions.types.size(); ++r) {
         const int type = index[std::size_t(regions.types[r])];
         if (type < 0) continue;
-        Analysis analysis = of_regions[r];
+        statistics::Analysis analysis = of_regions[r];
         if (library.types()[std::size_t(type)]
-                .examples.front()[std::size_t(Quantity::kElevation)]
+                .examples.front()[std::size_t(statistics::Quantity::kElevation)]
                 .count == 0)
-            analysis[std::size_t(Quantity::kElevation)] = {};
+            analysis[std::size_t(statistics::Quantity::kElevation)] = {};
         const double similarity = library.similarity(std::size_t(type), analysis);
         terrain.figures[fmt::format("genetic: similarity of '{}'", map.all[r].name)] =
             similarity;

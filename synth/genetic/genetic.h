@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/terrain.h"
-#include "synth/context.h"
 #include "synth/genetic/options.h"
+#include "synth/method.h"
 
 namespace cydonia::genetic {
 
@@ -14,5 +14,9 @@ namespace cydonia::genetic {
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
 inline constexpr int kVersion = 1;  // raised when the same options give other heights
+
+Method method_of(const Options& options);
+std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
+                          std::uint64_t threads);
 
 }  // namespace cydonia::genetic

@@ -98,8 +98,8 @@ struct Options {
     double coarsest = 810.0;  // metres from sample to sample, at most
     Optimiser optimiser = Optimiser::kTexture;
     EvolutionOptions evolution;
-    std::vector<texture::Point> points;  // placed features (section VII.2)
-    std::vector<texture::Curve> curves;
+    std::vector<geometry::Point> points;  // placed features (section VII.2)
+    std::vector<geometry::Curve> curves;
 };
 
 }  // namespace cydonia::genetic

@@ -9,8 +9,8 @@
 
 namespace cydonia::genetic {
 
-Features features_of(const std::vector<texture::Point>& points,
-                     const std::vector<texture::Curve>& curves, const Extent& extent,
+Features features_of(const std::vector<geometry::Point>& points,
+                     const std::vector<geometry::Curve>& curves, const Extent& extent,
                      Progress& progress) {
     if (points.empty() && curves.empty()) return {};
     texture::Options options;

@@ -4,7 +4,7 @@
 
 #include "field/error.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 constexpr double kMostSteps = 65536.0;
@@ -153,4 +153,4 @@ bool Course::one_area() const {
     });
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -6,7 +6,7 @@
 #include "synth/geometry/hermite.h"
 #include "synth/geometry/shape.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // What a curve asks for at one place of it: left and right of the way it runs.
 struct Trait {
@@ -43,4 +43,4 @@ class Course {
     double largest_area_ = 0.0;
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

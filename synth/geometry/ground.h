@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // Where the plane lies: metres, from the terrain's south-west corner.
 struct Ground {
@@ -13,4 +13,4 @@ struct Ground {
 // Height of the unconstrained land, metres, at metres from the south-west corner.
 using HeightAt = std::function<double(double x, double y)>;
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 double secant(const Knot& a, const Knot& b) {
@@ -54,4 +54,4 @@ double Hermite::operator()(double at) const {
            width * t * s * (tangents_[i - 1] * s - tangents_[i] * t);
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

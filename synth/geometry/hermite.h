@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 struct Knot {
     double at, value;
@@ -26,4 +26,4 @@ class Hermite {
     std::vector<double> tangents_;
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

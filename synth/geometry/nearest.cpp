@@ -1,6 +1,6 @@
 #include "synth/geometry/nearest.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 // Cells whose centres lie in [low, high], in cells from a part's first centre.
@@ -73,4 +73,4 @@ void add_nearest(const Shape& shape, const Grid& grid, double reach,
     }
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

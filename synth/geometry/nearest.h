@@ -6,7 +6,7 @@
 #include "field/field.h"
 #include "synth/geometry/shape.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // Cells of a grid on the plane: numbers of its own, which do not depend on the part of it
 // that is looked at.
@@ -43,4 +43,4 @@ double nearest_share(const Point2& a, const Point2& b, const Point2& p);
 void add_nearest(const Shape& shape, const Grid& grid, double reach,
                  Field<Nearest>& field);
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -8,7 +8,7 @@
 #include "field/length.h"
 #include "field/source.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // Where something is on the terrain, from its south-west corner: metres, or shares of the
 // width (first) and of the depth (second).
@@ -49,4 +49,4 @@ struct Curve {
     std::vector<Handle> handles = {};
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

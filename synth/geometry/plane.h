@@ -5,7 +5,7 @@
 
 #include "field/bezier.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // Places and directions on the ground, metres east and north.
 inline Point2 from_to(const Point2& a, const Point2& b) {
@@ -51,4 +51,4 @@ struct Box {
     }
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -5,7 +5,7 @@
 #include "field/error.h"
 #include "field/svg_paths.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 // Of a cell, that straight lines may stray from a curve.
@@ -144,4 +144,4 @@ std::vector<NamedShape> shapes_of(const Curve& curve, const Ground& ground) {
          shape_through(smooth_through(points, kTolerance * ground.spacing), curve.name)}};
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

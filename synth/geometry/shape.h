@@ -7,7 +7,7 @@
 #include "synth/geometry/options.h"
 #include "synth/geometry/plane.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 // Where a curve runs, as straight lines so short that nobody sees them: metres from the
 // terrain's south-west corner.
@@ -41,4 +41,4 @@ struct NamedShape {
 // bad_request.
 std::vector<NamedShape> shapes_of(const Curve& curve, const Ground& ground);
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

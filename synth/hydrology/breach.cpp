@@ -9,7 +9,7 @@
 #include "synth/hydrology/depressions.h"
 #include "synth/hydrology/neighbours.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 namespace {
 
 constexpr double kFall = 0.02;    // of a channel at most, rise over run
@@ -187,4 +187,4 @@ Breached breach(Field<float>& heights, double spacing, const Field<std::uint8_t>
     return done;
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

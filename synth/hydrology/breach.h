@@ -4,7 +4,7 @@
 
 #include "field/field.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 
 inline constexpr int kBreachRadius = 32;
 
@@ -24,4 +24,4 @@ struct Breached {
 Breached breach(Field<float>& heights, double spacing,
                 const Field<std::uint8_t>& locked = {}, int radius = kBreachRadius);
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -9,7 +9,7 @@
 #include "field/parallel.h"
 #include "synth/hydrology/neighbours.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 namespace {
 
 // 1 where no neighbour is lower, inside the land's edge.
@@ -158,4 +158,4 @@ Depressions depressions_of(const Field<float>& heights) {
     return found;
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -5,7 +5,7 @@
 
 #include "field/field.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 
 // Water runs from cell to lower cell, eight ways, and leaves the land over its edge.
 // These say where it cannot.
@@ -25,4 +25,4 @@ struct Depressions {
 };
 Depressions depressions_of(const Field<float>& heights);
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

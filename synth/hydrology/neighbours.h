@@ -5,7 +5,7 @@
 
 #include "field/field.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 
 // Cells by their index, for fields of less than 2^31 cells.
 
@@ -26,4 +26,4 @@ void for_neighbours(const Field<T>& field, std::int32_t cell, const Visit& visit
                       dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -52,14 +52,14 @@ Boundary interpolated(Table table, double length) {
 }
 
 // From p along a direction to a curve, metres; none where it is not met.
-double distance_to(const std::vector<texture::NamedShape>& curves, const Point2& p,
+double distance_to(const std::vector<geometry::NamedShape>& curves, const Point2& p,
                    const Point2& direction) {
-    using texture::cross;
+    using geometry::cross;
     double nearest = HUGE_VAL;
-    for (const texture::NamedShape& curve : curves)
+    for (const geometry::NamedShape& curve : curves)
         for (std::size_t s = 1; s < curve.shape.points.size(); ++s) {
             const Point2 &a = curve.shape.points[s - 1], &b = curve.shape.points[s];
-            const Point2 line = texture::from_to(a, b), to = texture::from_to(p, a);
+            const Point2 line = geometry::from_to(a, b), to = geometry::from_to(p, a);
             const double area = cross(direction, line);
             if (area == 0.0) continue;
             const double along = cross(to, line) / area,
@@ -130,11 +130,11 @@ Boundary rounded(Boundary boundary, double length, const std::array<bool, 2>& go
     };
 }
 
-Boundary drawn_boundary(const texture::Shape& shadow,
-                        const std::vector<texture::NamedShape>& curves, double spacing,
+Boundary drawn_boundary(const geometry::Shape& shadow,
+                        const std::vector<geometry::NamedShape>& curves, double spacing,
                         const std::string& name, Progress& progress) {
     std::size_t lines = 0;
-    for (const texture::NamedShape& curve : curves) lines += curve.shape.points.size();
+    for (const geometry::NamedShape& curve : curves) lines += curve.shape.points.size();
     if (lines > kMostLines)
         throw bad_request("'{}': its boundary has more than {} points", name, kMostLines);
     const int count =
@@ -147,9 +147,9 @@ Boundary drawn_boundary(const texture::Shape& shadow,
             shadow.length() * std::clamp(double(i), 0.25, count - 0.25) / count;
         const double half = 0.5 * shadow.length() / count;
         const Point2 p = shadow.at(along);
-        const Point2 d = texture::unit_of(
-            texture::from_to(shadow.at(std::max(0.0, along - half)),
-                             shadow.at(std::min(shadow.length(), along + half))));
+        const Point2 d = geometry::unit_of(
+            geometry::from_to(shadow.at(std::max(0.0, along - half)),
+                              shadow.at(std::min(shadow.length(), along + half))));
         std::array<double, 2> sides{distance_to(curves, p, {-d[1], d[0]}),
                                     distance_to(curves, p, {d[1], -d[0]})};
         for (double& side : sides)

@@ -25,8 +25,8 @@ Boundary rounded(Boundary boundary, double length, const std::array<bool, 2>& go
 // As far as curves that are drawn around the shadow. Where they cross it, or leave a gap,
 // between their neighbours, and says so. Throws bad_request where they leave open most
 // of a side.
-Boundary drawn_boundary(const texture::Shape& shadow,
-                        const std::vector<texture::NamedShape>& curves, double spacing,
+Boundary drawn_boundary(const geometry::Shape& shadow,
+                        const std::vector<geometry::NamedShape>& curves, double spacing,
                         const std::string& name, Progress& progress);
 
 }  // namespace cydonia::sketch

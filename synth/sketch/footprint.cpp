@@ -11,9 +11,9 @@ namespace {
 constexpr double kLeastReach = 2.0;  // samples: of the finest deformations
 constexpr double kMostLean = 0.7;  // cosine of the base line with the shadow: 45 degrees
 
-using texture::cross;
-using texture::dot;
-using texture::from_to;
+using geometry::cross;
+using geometry::dot;
+using geometry::from_to;
 
 // The shadow by places on the line through its ends, half a sample apart.
 struct BaseLine {
@@ -28,10 +28,10 @@ struct BaseLine {
     std::vector<Place> places;
 
     BaseLine(const Landform& landform, double spacing) {
-        const texture::Shape& shadow = landform.shadow;
+        const geometry::Shape& shadow = landform.shadow;
         begin = shadow.points.front();
         const Point2 chord = from_to(begin, shadow.points.back());
-        length = texture::length(chord), direction = texture::unit_of(chord);
+        length = geometry::length(chord), direction = geometry::unit_of(chord);
         const int count = std::max(2, int(std::ceil(2.0 * length / spacing)));
         step = length / count;
         std::size_t s = 0;
@@ -46,11 +46,12 @@ struct BaseLine {
             Place place;
             place.along =
                 shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
-            place.aside = cross(
-                direction, from_to(begin, texture::between(shadow.points[s],
-                                                           shadow.points[s + 1], share)));
+            place.aside =
+                cross(direction,
+                      from_to(begin, geometry::between(shadow.points[s],
+                                                       shadow.points[s + 1], share)));
             // Of tangents, which do not jump from line to line.
-            place.lean = dot(texture::unit_of(texture::between(
+            place.lean = dot(geometry::unit_of(geometry::between(
                                  shadow.tangents[s], shadow.tangents[s + 1], share)),
                              direction);
             const auto boundary = landform.boundary(place.along);
@@ -82,10 +83,10 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
     const BaseLine line(landform, spacing);
     const double widest = line.widest(), total = landform.shadow.length();
     const int values = landform.silhouette.width();
-    const texture::Grid grid{spacing,      0.0,          spacing * land.height(), 0, 0,
-                             land.width(), land.height()};
+    const geometry::Grid grid{spacing,      0.0,          spacing * land.height(), 0, 0,
+                              land.width(), land.height()};
     const auto range = grid.cells_in(
-        texture::Box::of(landform.shadow.points.front(), landform.shadow.points.back())
+        geometry::Box::of(landform.shadow.points.front(), landform.shadow.points.back())
             .grown(widest));
     std::vector<Foot> feet;
     for (int y = range.y0; y < range.y1; ++y)
@@ -107,7 +108,7 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
 // By a full search of the curve.
 std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
                             double spacing) {
-    const texture::Shape& shadow = landform.shadow;
+    const geometry::Shape& shadow = landform.shadow;
     const double depth = spacing * land.height(), length = shadow.length();
     const int values = landform.silhouette.width();
     double widest = 0.0;
@@ -115,9 +116,9 @@ std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
         const auto [left, right] = landform.boundary(length * i / (values - 1));
         widest = std::max({widest, left, right});
     }
-    const texture::Grid grid{spacing, 0.0, depth, 0, 0, land.width(), land.height()};
-    Field<texture::Nearest> nearest(land.width(), land.height());
-    texture::add_nearest(shadow, grid, widest, nearest);
+    const geometry::Grid grid{spacing, 0.0, depth, 0, 0, land.width(), land.height()};
+    Field<geometry::Nearest> nearest(land.width(), land.height());
+    geometry::add_nearest(shadow, grid, widest, nearest);
 
     std::vector<Foot> feet;
     for (int y = 0; y < land.height(); ++y)
@@ -127,7 +128,7 @@ std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
             const auto s = std::size_t(segment);
             const Point2 p = grid.centre(x, y), &a = shadow.points[s],
                          &b = shadow.points[s + 1];
-            const double share = texture::nearest_share(a, b, p);
+            const double share = geometry::nearest_share(a, b, p);
             const double along =
                 shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
             const bool left = cross(from_to(a, b), from_to(a, p)) > 0.0;
@@ -148,14 +149,14 @@ float Foot::weight(float share) const {
     return a < 1.0f && distance < reach ? b * b : 0.0f;
 }
 
-bool lies_on_base_line(const texture::Shape& shadow) {
+bool lies_on_base_line(const geometry::Shape& shadow) {
     if (shadow.closed) return false;
     const Point2 chord =
-        texture::unit_of(from_to(shadow.points.front(), shadow.points.back()));
+        geometry::unit_of(from_to(shadow.points.front(), shadow.points.back()));
     for (int s = 0; s < shadow.segments(); ++s) {
         const Point2 d =
             from_to(shadow.points[std::size_t(s)], shadow.points[std::size_t(s) + 1]);
-        if (dot(texture::unit_of(d), chord) < kMostLean) return false;
+        if (dot(geometry::unit_of(d), chord) < kMostLean) return false;
     }
     return true;
 }

@@ -14,7 +14,7 @@ namespace cydonia::sketch {
 // A feature of the land by its curves (Gain, Marais and Strasser 2009, section 3): where
 // it runs, how high it is, how far it reaches. Metres, from the south-west corner.
 struct Landform {
-    texture::Shape shadow;
+    geometry::Shape shadow;
     Field<float> silhouette;  // heights along the shadow from its begin to its end: a row
     // Distance of the boundaries left and right of a place along the shadow.
     std::function<std::array<double, 2>(double along)> boundary;
@@ -42,7 +42,7 @@ struct Foot {
 // itself.
 std::vector<Foot> footprint(const Landform& landform, const Field<float>& land,
                             double spacing);
-bool lies_on_base_line(const texture::Shape& shadow);
+bool lies_on_base_line(const geometry::Shape& shadow);
 
 // Divides samples that several landforms reach among them.
 void share_out(std::vector<std::vector<Foot>>& feet, std::size_t samples);

@@ -34,7 +34,7 @@ struct View {
 // Where a curve runs, as a texture stage's: points that it passes through smoothly, or
 // every path of a drawing whose page lies over the terrain, or the one with `id`.
 struct Way {
-    std::vector<texture::Place2> points = {};
+    std::vector<geometry::Place2> points = {};
     std::optional<Source> drawing = {};
     std::string id = {};
 };

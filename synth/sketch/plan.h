@@ -16,7 +16,7 @@ namespace cydonia::sketch {
 
 struct Land {
     Field<float> heights;
-    texture::Ground ground;
+    geometry::Ground ground;
 
     double at(double east, double north) const {
         return bilinear(heights, east / ground.spacing - 0.5,
@@ -28,7 +28,7 @@ struct Land {
         return p[0] < margin || p[1] < margin || p[0] > ground.width - margin ||
                p[1] > ground.depth - margin;
     }
-    double along(const texture::Shape& shape, int i, int values) const {
+    double along(const geometry::Shape& shape, int i, int values) const {
         const Point2 p = shape.at(shape.length() * i / (values - 1));
         return at(p[0], p[1]);
     }
@@ -39,12 +39,12 @@ int values_along(double length, double spacing);
 
 bool has_way(const Feature& feature);
 // Without their loops, which are said.
-std::vector<texture::NamedShape> ways_of(const std::string& name, const Way& way,
-                                         const Land& land, Progress& progress);
+std::vector<geometry::NamedShape> ways_of(const std::string& name, const Way& way,
+                                          const Land& land, Progress& progress);
 
 // What the landforms of one feature are made with.
 struct Plan {
-    std::vector<texture::NamedShape> ways;
+    std::vector<geometry::NamedShape> ways;
     std::vector<Landform> landforms;
     std::optional<Sight> sight;
 };

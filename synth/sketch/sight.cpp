@@ -17,8 +17,8 @@ constexpr std::size_t kMostPoints = 4'000'000;  // of strokes
 constexpr int kNarrowest = 8, kBelow = 10;      // values; lines below a stroke
 constexpr double kStep = 0.25;                  // samples, along lines of sight
 
-using texture::dot;
-using texture::from_to;
+using geometry::dot;
+using geometry::from_to;
 
 double height_at(const Field<float>& land, double spacing, const Point2& p) {
     return bilinear(land, p[0] / spacing - 0.5, land.height() - p[1] / spacing - 0.5);
@@ -92,7 +92,7 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
             view.drawing.name(), name);
     camera_ = *camera;
     const CameraAxes axes(camera_);
-    ahead_ = texture::unit_of({axes.forward.x, axes.forward.y});
+    ahead_ = geometry::unit_of({axes.forward.x, axes.forward.y});
     right_ = {ahead_[1], -ahead_[0]};
     const double wide = std::tan(0.5 * camera_.field_of_view);
     const double high = wide * camera_.height / camera_.width;
@@ -126,12 +126,12 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
         for (std::size_t i = 1; i < path.points.size(); ++i) {
             const Point2 &a = path.points[i - 1], &b = path.points[i];
             const int parts =
-                std::clamp(int(std::ceil(texture::distance(a, b) / kShortest)), 1, 8192);
+                std::clamp(int(std::ceil(geometry::distance(a, b) / kShortest)), 1, 8192);
             if ((count += std::size_t(parts)) > kMostPoints)
                 throw bad_request("{}: '{}': its strokes are too long: draw on the page",
                                   view.drawing.name(), name);
             for (int k = 1; k <= parts; ++k)
-                add(texture::between(a, b, double(k) / parts));
+                add(geometry::between(a, b, double(k) / parts));
         }
     }
     double left = HUGE_VAL, right = -HUGE_VAL;
@@ -170,13 +170,13 @@ std::optional<double> Sight::height_over(const Point2& place) const {
     const double margin = 1e-9 + 1e-6 * (line_.right - line_.left);
     if (!azimuth || *azimuth < line_.left - margin || *azimuth > line_.right + margin)
         return {};
-    return eye_height() + at(line_.values, *azimuth) * texture::distance(eye(), place);
+    return eye_height() + at(line_.values, *azimuth) * geometry::distance(eye(), place);
 }
 
 std::optional<double> Sight::height_below(const Point2& place, double metres) const {
     const auto azimuth = azimuth_of(place);
     if (!azimuth) return {};
-    const double distance = texture::distance(eye(), place);
+    const double distance = geometry::distance(eye(), place);
     // Between two lines, the stroke being the first.
     const double values =
         metres / distance / (line_.right - line_.left) * (kValues - 1) / kNarrowest;
@@ -267,8 +267,9 @@ std::optional<Landing> landing_of(const Field<float>& land, double spacing,
                    eye_height + ray.rise * (*span)[1], true};
 }
 
-std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sight& sight,
-                                            double step, const std::string& name) {
+std::optional<geometry::Shape> part_in_sight(const geometry::Shape& way,
+                                             const Sight& sight, double step,
+                                             const std::string& name) {
     const int count = std::max(2, int(std::ceil(way.length() / step)));
     std::vector<Point2> best, run;
     for (int i = 0; i <= count; ++i) {
@@ -278,7 +279,7 @@ std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sig
         if (!sight.height_over(p)) run.clear();
     }
     if (best.size() < 3) return {};
-    return texture::shape_through(std::move(best), name);
+    return geometry::shape_through(std::move(best), name);
 }
 
 }  // namespace cydonia::sketch

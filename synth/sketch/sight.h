@@ -69,7 +69,8 @@ std::optional<Landing> landing_of(const Field<float>& land, double spacing,
                                   const Sight::Ray& ray);
 
 // The part of a way that lies under the stroke; none without any.
-std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sight& sight,
-                                            double step, const std::string& name);
+std::optional<geometry::Shape> part_in_sight(const geometry::Shape& way,
+                                             const Sight& sight, double step,
+                                             const std::string& name);
 
 }  // namespace cydonia::sketch

@@ -130,7 +130,7 @@ class Making {
             noise_of(heights_of(region.noise, values, region.name, *context_.progress),
                      options_.levels, region.noise.mouse);
         int part = 0;
-        for (const texture::NamedShape& named :
+        for (const geometry::NamedShape& named :
              ways_of(region.name, region.way, land_, *context_.progress)) {
             if (named.shape.segments() < 3)
                 throw bad_request("region '{}' has no area: give its loop more points",
@@ -157,7 +157,7 @@ class Making {
     // Before the feature is on the stack.
     void warn_of_hidden_ends(const Feature& feature, const Plan& plan) const {
         const double spacing = land_.ground.spacing;
-        const texture::Shape& shadow = plan.landforms[0].shadow;
+        const geometry::Shape& shadow = plan.landforms[0].shadow;
         for (const Point2& p : {shadow.points.front(), shadow.points.back()}) {
             const int x = std::clamp(int(p[0] / spacing), 0, land_.heights.width() - 1);
             const int y = std::clamp(int(land_.heights.height() - p[1] / spacing), 0,

@@ -18,19 +18,19 @@ constexpr std::size_t kMostCrossed = 20000;  // points of a way that is looked t
 // Of the lines a-b and c-d, where they cross.
 std::optional<Point2> crossing(const Point2& a, const Point2& b, const Point2& c,
                                const Point2& d) {
-    const Point2 u = texture::from_to(a, b), v = texture::from_to(c, d);
-    const double area = texture::cross(u, v);
+    const Point2 u = geometry::from_to(a, b), v = geometry::from_to(c, d);
+    const double area = geometry::cross(u, v);
     if (area == 0.0) return {};
-    const Point2 w = texture::from_to(a, c);
-    const double s = texture::cross(w, v) / area, t = texture::cross(w, u) / area;
+    const Point2 w = geometry::from_to(a, c);
+    const double s = geometry::cross(w, v) / area, t = geometry::cross(w, u) / area;
     if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return {};
-    return texture::between(a, b, s);
+    return geometry::between(a, b, s);
 }
 
 double length_of(const std::vector<Point2>& way, std::size_t from, std::size_t to) {
     double length = 0.0;
     for (std::size_t i = from; i < to; ++i)
-        length += texture::distance(way[i], way[i + 1]);
+        length += geometry::distance(way[i], way[i + 1]);
     return length;
 }
 

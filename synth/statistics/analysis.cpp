@@ -7,7 +7,7 @@
 #include "field/sampled.h"
 #include "synth/statistics/measures.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 // The region that more than half of a feature lies in; -1: none.
@@ -79,4 +79,4 @@ Terrain at_level(const Terrain& terrain, double spacing) {
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

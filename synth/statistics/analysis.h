@@ -8,7 +8,7 @@
 #include "field/terrain.h"
 #include "synth/statistics/statistics.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // The quantities whose distributions make up a kind of land (section IV.3.2, and the
 // wishes of VII.8: density, directionality, spectrum, curvature).
@@ -61,4 +61,4 @@ Terrain at_level(const Terrain& terrain, double spacing);
 
 inline constexpr int kAnalysisVersion = 2;  // raised when the same land gives other ones
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,7 +6,7 @@
 
 #include "field/sample.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr float kFaintest = 0.01f;  // of slope: level land has none
@@ -82,4 +82,4 @@ std::vector<Feature> edges_of(const Field<float>& heights, double spacing) {
     return edges_of(scale_space(slopes), spacing);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -5,7 +5,7 @@
 #include "synth/statistics/features.h"
 #include "synth/statistics/scale_space.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // Lines along which land is steepest, by scale-space detection with automatic scale
 // selection (Lindeberg 1998; Saunders 2006, section III.3.2.2): where t^(1/2) |grad L|^2
@@ -15,4 +15,4 @@ namespace cydonia::genetic {
 std::vector<Feature> edges_of(const std::vector<Scale>& land, double spacing);
 std::vector<Feature> edges_of(const Field<float>& heights, double spacing);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -5,7 +5,7 @@
 
 #include "synth/statistics/scale_space.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr std::size_t kShortest = 5;  // samples
@@ -45,4 +45,4 @@ std::vector<Feature> linked(const Found& found, double spacing) {
     return features;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,7 +6,7 @@
 #include "field/field.h"
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // An edge, ridge, valley or peak, found over all scales at once (Saunders 2006, section
 // III.3.2.2).
@@ -59,4 +59,4 @@ void find_largest(const Field<float>& finer, const Field<float>& own,
 // samples they are noise. Strengths as `found.response` has them.
 std::vector<Feature> linked(const Found& found, double spacing);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -9,7 +9,7 @@
 #include "synth/statistics/ridges.h"
 #include "synth/statistics/windowed.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -148,4 +148,4 @@ Measures measures_of(const Terrain& terrain) {
     return measures;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

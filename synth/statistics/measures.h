@@ -7,7 +7,7 @@
 #include "synth/statistics/analysis.h"
 #include "synth/statistics/features.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // What of a land is told by numbers, sample by sample and feature by feature: what the
 // "studying" of a terrain sample leaves (Saunders 2006, section V.3.3.3).
@@ -22,4 +22,4 @@ struct Measures {
 };
 Measures measures_of(const Terrain& terrain);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,7 +6,7 @@
 
 #include "field/sample.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 // How much the slope changes over a ridge's own width: rounding and level land have none.
@@ -136,4 +136,4 @@ Ridges ridges_of(const Field<float>& heights, double spacing) {
     return ridges_of(scale_space(slopes), spacing);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

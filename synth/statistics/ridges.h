@@ -5,7 +5,7 @@
 #include "synth/statistics/features.h"
 #include "synth/statistics/scale_space.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 struct Ridges {
     std::vector<Feature> ridges, valleys;
@@ -23,4 +23,4 @@ struct Ridges {
 Ridges ridges_of(const std::vector<Scale>& land, double spacing);
 Ridges ridges_of(const Field<float>& heights, double spacing);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

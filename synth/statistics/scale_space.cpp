@@ -5,7 +5,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr double kFinest = 1.0, kCoarsest = 16.0, kStep = 1.4142135623730951;  // sqrt(2)
@@ -95,4 +95,4 @@ std::vector<Scale> scale_space(const Field<float>& field) {
     return scales;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

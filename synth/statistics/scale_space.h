@@ -4,7 +4,7 @@
 
 #include "field/field.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // A field as it is when seen so blurred.
 struct Scale {
@@ -23,4 +23,4 @@ double deviation_at(double place);
 // Mirrored beyond the sides. `deviation` in samples.
 Field<float> blurred(const Field<float>& field, double deviation);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

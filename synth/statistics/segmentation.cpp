@@ -5,7 +5,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr int kPasses = 8;
@@ -123,4 +123,4 @@ Rectangle largest_rectangle(const Field<int>& types, int type) {
     return best;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -3,7 +3,7 @@
 #include "synth/statistics/similarity.h"
 #include "synth/statistics/windows.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 inline constexpr int kNoType = -1;
 
@@ -27,4 +27,4 @@ struct Rectangle {
 };
 Rectangle largest_rectangle(const Field<int>& types, int type);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

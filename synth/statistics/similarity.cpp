@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 // Of references that are equal: what rounding makes of them.
@@ -121,4 +121,4 @@ Library Library::with(std::size_t type, const Analysis& land) const {
     return Library(std::move(types));
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

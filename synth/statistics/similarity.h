@@ -6,7 +6,7 @@
 
 #include "synth/statistics/analysis.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // Gaussian curve projection (section IV.3.2.2): 1 at the mean of the references, and at
 // least kBaseline at each of them.
@@ -56,4 +56,4 @@ class Library {
     Curves whole_;  // of all examples of all types
 };
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

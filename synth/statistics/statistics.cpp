@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 namespace {
 
@@ -52,4 +52,4 @@ Statistics Moments::statistics(double about) const {
     return of_moments(n_, about + d, m2, m3, m4);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // What tells distributions apart (Saunders 2006, section III.3.3).
 struct Statistics {
@@ -32,4 +32,4 @@ class Moments {
     double n_ = 0.0, s1_ = 0.0, s2_ = 0.0, s3_ = 0.0, s4_ = 0.0;
 };
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,7 +6,7 @@
 
 #include "synth/statistics/windowed.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr std::size_t kLeast = 200;  // samples of one height
@@ -81,4 +81,4 @@ Field<std::uint8_t> touched(const Field<std::uint8_t>& mask, double cell, int wi
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

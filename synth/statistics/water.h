@@ -4,7 +4,7 @@
 
 #include "field/field.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // 1 where water stands: samples of one height that hang together, many of them and some
 // way across, since a body of water has constant elevation (Saunders 2006, section
@@ -20,4 +20,4 @@ Field<std::uint8_t> grown(const Field<std::uint8_t>& mask, int samples);
 Field<std::uint8_t> touched(const Field<std::uint8_t>& mask, double cell, int width,
                             int height);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -7,7 +7,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr int kStrip = 64;  // columns at a time
@@ -197,4 +197,4 @@ Windowed windowed(const Terrain& terrain, int radius) {
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

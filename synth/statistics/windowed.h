@@ -2,7 +2,7 @@
 
 #include "field/terrain.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // Of the square of 2 radius + 1 samples a side about each sample (Saunders 2006, section
 // V.3.3.3), as far as it lies in the field. Each takes a time that does not grow with the
@@ -18,4 +18,4 @@ Field<float> window_mean(const Field<float>& field, int radius);
 Field<float> window_low(const Field<float>& field, int radius);
 Field<float> window_high(const Field<float>& field, int radius);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,7 +6,7 @@
 #include "field/parallel.h"
 #include "synth/statistics/measures.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr double kEnough = 0.4;  // of a window
@@ -64,4 +64,4 @@ Field<Analysis> window_analyses(const Terrain& terrain,
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -2,7 +2,7 @@
 
 #include "synth/statistics/analysis.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 // Land is looked at through windows of 60 samples a side, one about each block of 12:
 // they hold some dozen features, and a border between lands is found to half of one.
@@ -14,4 +14,4 @@ inline constexpr int kBlock = 12, kBlocks = 5;
 Field<Analysis> window_analyses(const Terrain& terrain,
                                 const Field<std::uint8_t>& inside = {});
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -8,6 +8,9 @@
 #include "field/sampled.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 // Spacings that differ by less are one: land is not resampled for a hundredth.

@@ -24,7 +24,7 @@ class Maker {
 
     const Database& database() const { return *database_; }
     const Geometry& geometry() const { return *geometry_; }
-    const Ground& ground() const { return ground_; }
+    const geometry::Ground& ground() const { return ground_; }
     const Controls& controls() const { return controls_; }
     // The column or row of the finest level that a sample's middle lies in.
     int cell_of(int sample) const { return static_cast<int>((sample + 0.5) * ratio_); }
@@ -39,7 +39,7 @@ class Maker {
     Extent extent_;
     Progress& progress_;
     std::shared_ptr<const Database> database_;
-    Ground ground_;
+    geometry::Ground ground_;
     Controls controls_;
     double ratio_ = 1.0;  // samples to cells of the finest level
     std::unique_ptr<TypeMap> types_;

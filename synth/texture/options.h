@@ -37,7 +37,7 @@ struct Paste {
     std::string name;
     int exemplar = 0;  // its number in the list, from 1; 0: from this terrain
     std::array<double, 2> from{0.5, 0.5};  // centre, as shares of where it is taken from
-    Place2 to{of_width(0.5), of_width(0.5)};  // where that centre comes to lie
+    geometry::Place2 to{of_width(0.5), of_width(0.5)};  // where that centre comes to lie
     // The region around `from`: a disc, or a polygon (metres east and north of it). With
     // neither the whole exemplar.
     Length radius = {};
@@ -66,8 +66,8 @@ struct Options {
     bool automatic_types = false;  // exemplars sorted into `types`, from calm to rugged
     std::optional<Source> paint;   // types painted on the terrain
 
-    std::vector<Point> points;
-    std::vector<Curve> curves;
+    std::vector<geometry::Point> points;
+    std::vector<geometry::Curve> curves;
     double stiffness = 0.5;  // s of eq. 8, metres of height over metres of distance
     double pull = 0.5;       // lambda of eq. 8
 

@@ -109,10 +109,10 @@ void report(const Options& options, const Maker& maker, const Synthesis& land,
     if (maker.guidance().types)
         figures["texture: cells of the asked type, share"] = typed_share(maker, land);
 
-    Depressions ends = depressions_of(terrain.heights);
+    hydrology::Depressions ends = hydrology::depressions_of(terrain.heights);
     figures["texture: channels that end nowhere"] = ends.count;
     figures["texture: deepest of them, m"] = ends.deepest;
-    figures["texture: pits per 1000"] = pits_per_1000(terrain.heights);
+    figures["texture: pits per 1000"] = hydrology::pits_per_1000(terrain.heights);
     if (!options.breach && ends.count > 0)
         context.progress->note(fmt::format(
             "texture: {} channels end nowhere, the deepest in {:.1f} m of water "

@@ -97,7 +97,8 @@ Field<std::uint8_t> locked_samples(const Maker& maker,
 void let_out(Terrain& terrain, const Field<std::uint8_t>& locked,
              const Context& context) {
     context.progress->step("texture: channels that end nowhere");
-    const Breached breached = breach(terrain.heights, terrain.spacing, locked);
+    const hydrology::Breached breached =
+        hydrology::breach(terrain.heights, terrain.spacing, locked);
     terrain.figures["texture: channels let out"] = breached.cut;
     terrain.figures["texture: deepest cut, m"] = breached.deepest;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/terrain.h"
-#include "synth/context.h"
+#include "synth/method.h"
 #include "synth/texture/options.h"
 
 namespace cydonia::texture {
@@ -12,9 +12,14 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
 
 inline constexpr int kVersion = 4;  // raised when the same options give other heights
 
+Method method_of(const Options& options);
+std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
+                          std::uint64_t threads);
+
 // width x height of the heights that run() gives, from column x and row y on, to the last
 // bit: a cell depends on a bounded part of the plane. Not of land that is breached or
 // coherent.
+int reach(const Options& options, const Extent& extent);
 Field<float> tile(const Options& options, const Extent& extent, const Context& context,
                   int x, int y, int width, int height);
 

@@ -15,6 +15,8 @@
 namespace cydonia::texture {
 namespace {
 
+using namespace geometry;
+
 constexpr Ground kGround{2560.0, 1280.0, 10.0};
 
 class Warnings final : public Progress {

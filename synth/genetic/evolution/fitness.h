@@ -93,7 +93,7 @@ class Fitness {
     void learn_pattern();
     void learn_blocks();
     const TypeFacts& facts(int slot) const;
-    Analysis analysis_of_sums(const Sums& sums, int type) const;
+    statistics::Analysis analysis_of_sums(const Sums& sums, int type) const;
 
     const GeneGrid* grid_;
     const LevelSamples* samples_;
@@ -105,7 +105,7 @@ class Fitness {
     std::vector<ChunkShape> asked_;  // of the pattern at each slot
     std::vector<int> block_regions_;
     std::vector<double> shares_;
-    std::unique_ptr<Library> library_;
+    std::unique_ptr<statistics::Library> library_;
 };
 
 }  // namespace cydonia::genetic

@@ -4,6 +4,9 @@
 #include "synth/texture/constraints/strand.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 constexpr double kNodes = 256.0;  // at most along a side

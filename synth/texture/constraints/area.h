@@ -15,13 +15,14 @@ namespace cydonia::texture {
 class SmoothArea {
   public:
     SmoothArea() = default;  // of a curve that has one area all along: nothing to smooth
-    SmoothArea(const Shape& shape, const Course& course, const Ground& ground);
+    SmoothArea(const geometry::Shape& shape, const geometry::Course& course,
+               const geometry::Ground& ground);
 
     // At p, `distance` metres from the curve, where the nearest point says `own`.
     double at(const Point2& p, double distance, double own) const;
 
   private:
-    Grid grid_;  // fixed by the curve and the terrain
+    geometry::Grid grid_;  // fixed by the curve and the terrain
     Field<float> areas_;
 };
 

@@ -7,6 +7,9 @@
 #include "synth/texture/constraints/sites.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 constexpr int kBand = 16;         // rows at a time

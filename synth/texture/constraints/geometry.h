@@ -17,8 +17,8 @@ class Geometry {
   public:
     // `natural` is asked for relative heights only. Warns of what contradicts itself, and
     // which won. Throws bad_request.
-    Geometry(const Options& options, const Ground& ground, const HeightAt& natural,
-             Progress& progress);
+    Geometry(const Options& options, const geometry::Ground& ground,
+             const geometry::HeightAt& natural, Progress& progress);
     ~Geometry();
 
     bool empty() const;

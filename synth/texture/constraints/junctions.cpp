@@ -7,6 +7,9 @@
 #include "synth/texture/constraints/meetings.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 // Where two constraints want different heights.

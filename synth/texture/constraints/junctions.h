@@ -17,8 +17,8 @@ struct Spike {
     double radius = 0.0;  // metres
 
     Asked asked(const Point2& p) const {
-        const Point2 v = from_to(at, p);
-        return {height + dot(gradient, v), length(v), radius};
+        const Point2 v = geometry::from_to(at, p);
+        return {height + geometry::dot(gradient, v), geometry::length(v), radius};
     }
 };
 
@@ -28,7 +28,7 @@ struct Spike {
 // its area of effect, at least twice the difference and at most as far as its next
 // handle. Warns, once a pair, where they differ by more than a tenth of a cell, and says
 // which won. Throws bad_request where curves are one tangle.
-void join(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground,
-          Progress& progress);
+void join(std::vector<Spike>& spikes, std::vector<Strand>& strands,
+          const geometry::Ground& ground, Progress& progress);
 
 }  // namespace cydonia::texture

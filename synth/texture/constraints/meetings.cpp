@@ -7,6 +7,9 @@
 #include "synth/geometry/nearest.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 // A line of a curve; or, of no length, a spike or a free end.

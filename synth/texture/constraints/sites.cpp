@@ -8,6 +8,9 @@
 #include "field/error.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 using Site = Geometry::Site;

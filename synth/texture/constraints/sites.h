@@ -15,6 +15,6 @@ namespace cydonia::texture {
 inline constexpr std::size_t kMostSites = 4'000'000;
 std::vector<Geometry::Site> sites_of(const std::vector<Spike>& spikes,
                                      const std::vector<Strand>& strands,
-                                     const Ground& ground, Progress& progress);
+                                     const geometry::Ground& ground, Progress& progress);
 
 }  // namespace cydonia::texture

@@ -3,6 +3,9 @@
 #include "synth/geometry/nearest.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 // The share of the right side's properties beside the place `share` along a line, for

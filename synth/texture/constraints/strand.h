@@ -18,14 +18,15 @@ struct Asked {
 // A curve constraint, ready to be asked.
 struct Strand {
     std::string name;
-    Shape shape;
-    Course course;
+    geometry::Shape shape;
+    geometry::Course course;
     SmoothArea area = {};
 };
 
 // By the point of the curve that is nearest to p, which is on line `segment`. Beyond an
 // end both sides' properties are mixed by the angle around it.
-Asked asked_by(const Shape& shape, const Course& course, int segment, const Point2& p);
+Asked asked_by(const geometry::Shape& shape, const geometry::Course& course, int segment,
+               const Point2& p);
 inline Asked asked_by(const Strand& strand, int segment, const Point2& p) {
     Asked asked = asked_by(strand.shape, strand.course, segment, p);
     asked.area = strand.area.at(p, asked.distance, asked.area);

@@ -11,6 +11,9 @@
 #include "synth/texture/database/database.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 constexpr double kMostCells = 1 << 24;  // of a level, and pixels of the painting

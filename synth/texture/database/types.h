@@ -17,7 +17,7 @@ inline constexpr int kFinestGuided = 2;
 class TypeMap {
   public:
     // Reads options.paint. Throws bad_request: a colour that no type has.
-    TypeMap(const Options& options, const Ground& ground, int levels);
+    TypeMap(const Options& options, const geometry::Ground& ground, int levels);
 
     bool empty() const;  // nothing painted
     // R^i of a window of level kFinestGuided or coarser; kAnyType outside the terrain.

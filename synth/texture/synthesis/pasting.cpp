@@ -7,6 +7,9 @@
 #include "synth/texture/synthesis/places.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 // Even-odd.

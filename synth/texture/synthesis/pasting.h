@@ -35,8 +35,8 @@ class Pasting {
     // `land`: all passes of a window without pastes, for those taken from the terrain.
     using Land = std::function<Recording(const Window&)>;
     // Throws bad_request for pastes that would leave nothing on the terrain.
-    Pasting(const Options& options, const Database& database, const Ground& ground,
-            int finest, const Land& land);
+    Pasting(const Options& options, const Database& database,
+            const geometry::Ground& ground, int finest, const Land& land);
 
     bool empty() const { return patches_.empty(); }
     // Locks the cells that pastes cover, later ones over earlier.
@@ -51,7 +51,7 @@ class Pasting {
         std::int32_t raise = 0;
         Recording land;
     };
-    Patch patch_of(const Paste& paste, const Ground& ground) const;
+    Patch patch_of(const Paste& paste, const geometry::Ground& ground) const;
     // Whether there is such land; places of a pass as the last there is.
     bool source(const Patch& patch, const Window& window, int x, int y, int pass,
                 Place& place, std::int32_t& offset) const;
