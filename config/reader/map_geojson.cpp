@@ -71,7 +71,7 @@ class Features {
         if (!is_line(name)) name = name_of_region(map, type);
         const Json coordinates =
             geometry.contains("coordinates") ? geometry["coordinates"] : Json();
-        genetic::Region region{std::move(name), std::move(type), {}};
+        genetic::MapRegion region{std::move(name), std::move(type), {}};
         if (!coordinates.is_array()) throw wrong("its coordinates are no array");
         if (kind == "Polygon")
             add_polygon(coordinates, region);
@@ -81,7 +81,7 @@ class Features {
         map.regions.push_back(std::move(region));
     }
 
-    void add_polygon(const Json& rings, genetic::Region& region) {
+    void add_polygon(const Json& rings, genetic::MapRegion& region) {
         if (!rings.is_array()) throw wrong("a polygon is an array of rings");
         for (const Json& ring : rings) {
             genetic::Outline outline;

@@ -27,7 +27,7 @@ void read(Table& t, dem::Options& o);                  // dem.cpp
 void read(Table& t, detail::Options& o);               // detail.cpp
 void read(Table& t, distance::Options& o);             // distance.cpp
 void read(Table& t, genetic::Options& o);              // genetic.cpp
-void read(Table& t, genetic::Region& region);          // genetic.cpp
+void read(Table& t, genetic::MapRegion& region);       // genetic.cpp
 void read(Table& t, pareidolia::Options& o);           // pareidolia.cpp
 void read(Table& t, sketch::Options& o);               // sketch.cpp
 void read(Table& t, texture::Options& o);              // texture.cpp

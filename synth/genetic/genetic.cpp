@@ -136,6 +136,68 @@ std::vector<double> mean_heights(const std::vector<LevelSamples>& samples) {
     return means;
 }
 
+int most_levels(const Options& options, double spacing) {
+    int levels = 1;
+    while (levels < kMostLevels &&
+           spacing * std::pow(options.ratio, levels) <= 1.001 * options.coarsest)
+        ++levels;
+    return levels;
+}
+
+std::vector<LevelSamples> all_samples(const Options& options,
+                                      const std::vector<std::uint8_t>& used,
+                                      double spacing, Progress& progress) {
+    progress.step("genetic: reading the samples");
+    return samples_of(options.library, used, spacing, options.ratio,
+                      most_levels(options, spacing), progress);
+}
+
+// The map as it was drawn, or with regions that are made up where it asks for them.
+MapOptions drawn_map(const Options& options, const Extent& extent, std::uint64_t seed,
+                     Progress& progress) {
+    MapOptions drawn = options.map;
+    if (drawn.automatic == 0) return drawn;
+    std::vector<std::uint8_t> all;
+    for (const TypeOptions& type : options.library.types)
+        all.push_back(!type.examples.empty());
+    const auto means = mean_heights(all_samples(options, all, extent.spacing, progress));
+    MapOptions made =
+        automatic_map(options.library, means, drawn.automatic, extent, seed);
+    drawn.regions = std::move(made.regions), drawn.window = made.window;
+    return drawn;
+}
+
+// The samples of the used types from the base level on.
+std::vector<LevelSamples> samples_from_base(const Options& options,
+                                            const Regions& regions,
+                                            const std::vector<std::uint8_t>& used,
+                                            const Extent& extent, Progress& progress) {
+    std::vector<LevelSamples> samples =
+        all_samples(options, used, extent.spacing, progress);
+    const int base = base_level(samples, regions, extent.columns, extent.rows,
+                                options.ratio, options.coarsest);
+    samples.erase(samples.begin(), samples.begin() + base);
+    for (const int type : regions.types)
+        if (samples.front().of_type[std::size_t(type)].empty())
+            throw bad_request(
+                "the samples of '{}' are smaller than a gene at {:.4g} m; give larger "
+                "ones",
+                options.library.types[std::size_t(type)].name, samples.front().spacing);
+    return samples;
+}
+
+void add_level_figures(const std::vector<LevelDone>& levels, Terrain& terrain) {
+    for (const LevelDone& level : levels) {
+        if (level.generations.empty()) continue;
+        terrain.figures[fmt::format("genetic: fitness at {:g} m", level.spacing)] =
+            level.generations.back().fitness;
+        if (level.seam_energy > 0.0)
+            terrain
+                .figures[fmt::format("genetic: seam energy at {:g} m", level.spacing)] =
+                level.seam_energy;
+    }
+}
+
 void explain(const std::vector<LevelDone>& levels, const Explain& sinks) {
     for (const LevelDone& level : levels)
         sinks.picture(fmt::format("level-{:g}m", level.spacing),
@@ -150,54 +212,26 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     Progress& progress = *context.progress;
     const Extent extent{terrain.heights.width(), terrain.heights.height(),
                         terrain.spacing};
-    int levels_at_most = 1;
-    while (levels_at_most < kMostLevels &&
-           extent.spacing * std::pow(options.ratio, levels_at_most) <=
-               1.001 * options.coarsest)
-        ++levels_at_most;
-    const auto samples_with = [&](const std::vector<std::uint8_t>& used) {
-        progress.step("genetic: reading the samples");
-        return samples_of(options.library, used, extent.spacing, options.ratio,
-                          levels_at_most, progress);
-    };
     const std::uint64_t map_seed = hash_of({context.seed, key("map")});
-    MapOptions drawn = options.map;
-    if (drawn.automatic > 0) {
-        std::vector<std::uint8_t> all;
-        for (const TypeOptions& type : options.library.types)
-            all.push_back(!type.examples.empty());
-        const MapOptions made =
-            automatic_map(options.library, mean_heights(samples_with(all)),
-                          drawn.automatic, extent, map_seed);
-        drawn.regions = made.regions, drawn.window = made.window;
-    }
+    const MapOptions drawn = drawn_map(options, extent, map_seed, progress);
     progress.step("genetic: the map");
     const MapRaster map = rasterised(drawn, options.library, extent, map_seed, progress);
     const Regions regions = regions_of(map);
-
     std::vector<std::uint8_t> used(options.library.types.size());
     for (const int type : regions.types) used[std::size_t(type)] = 1;
-    std::vector<LevelSamples> samples = samples_with(used);
-    const int base = base_level(samples, regions, extent.columns, extent.rows,
-                                options.ratio, options.coarsest);
-    samples.erase(samples.begin(), samples.begin() + base);
-    for (const int type : regions.types)
-        if (samples.front().of_type[std::size_t(type)].empty())
-            throw bad_request(
-                "the samples of '{}' are smaller than a gene at {:.4g} m; give larger "
-                "ones",
-                options.library.types[std::size_t(type)].name, samples.front().spacing);
+    const std::vector<LevelSamples> samples =
+        samples_from_base(options, regions, used, extent, progress);
 
-    // Where texture takes over, and where samples are too coarse for it.
-    std::unique_ptr<ByTexture> texture;
-    const int from = std::min(options.optimiser == Optimiser::kTexture ? 1 : 99,
-                              int(samples.size()) - 1),
+    // Texture takes over after level `from`; below `to` samples are too coarse for it.
+    const bool may_use = options.optimiser == Optimiser::kTexture;
+    const int from = std::min(may_use ? 1 : 99, int(samples.size()) - 1),
               to = finest_real(samples);
-    if (options.optimiser == Optimiser::kTexture && to > from)
+    std::unique_ptr<ByTexture> texture;
+    if (may_use && to > from)
         texture = std::make_unique<ByTexture>(options.library, used,
                                               samples[std::size_t(to)].spacing,
                                               context.cache, progress);
-    const Features features =
+    const PlacedFeatures features =
         features_of(options.points, options.curves, extent, progress);
     std::vector<LevelDone> levels =
         height_field(regions, samples, options.ratio, options.evolution, features,
@@ -211,14 +245,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     judge(options, samples[std::size_t(to)], map, regions, result, progress);
     result.figures["genetic: regions"] = double(regions.types.size());
     result.figures["genetic: levels"] = double(samples.size());
-    for (const LevelDone& level : levels) {
-        if (level.generations.empty()) continue;
-        result.figures[fmt::format("genetic: fitness at {:g} m", level.spacing)] =
-            level.generations.back().fitness;
-        if (level.seam_energy > 0.0)
-            result.figures[fmt::format("genetic: seam energy at {:g} m", level.spacing)] =
-                level.seam_energy;
-    }
+    add_level_figures(levels, result);
     show_types(options, map, result);
     return result;
 }

@@ -53,14 +53,14 @@ struct LibraryOptions {
 using Outline = std::vector<std::array<double, 2>>;
 
 // Land of one type (section IV.2.2): what is inside an odd number of outlines.
-struct Region {
+struct MapRegion {
     std::string name;
     std::string type;
     std::vector<Outline> outlines;
 };
 
 struct MapOptions {
-    std::vector<Region> regions;  // later ones lie over earlier ones
+    std::vector<MapRegion> regions;  // later ones lie over earlier ones
     // What lies under the terrain, in the map's units: west, south, east, north.
     std::array<double, 4> window{0.0, 0.0, 1.0, 1.0};
     bool refine = true;       // boundaries (section IV.3.1)

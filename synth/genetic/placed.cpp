@@ -9,9 +9,9 @@
 
 namespace cydonia::genetic {
 
-Features features_of(const std::vector<geometry::Point>& points,
-                     const std::vector<geometry::Curve>& curves, const Extent& extent,
-                     Progress& progress) {
+PlacedFeatures features_of(const std::vector<geometry::Point>& points,
+                           const std::vector<geometry::Curve>& curves,
+                           const Extent& extent, Progress& progress) {
     if (points.empty() && curves.empty()) return {};
     texture::Options options;
     options.points = points, options.curves = curves;

@@ -12,8 +12,8 @@ namespace cydonia::genetic {
 // section 5.1): the land of every level is brought to their heights, over their areas on
 // coarse levels and beside them on fine ones. Relative heights are added to the base
 // level's land. Empty without any.
-Features features_of(const std::vector<geometry::Point>& points,
-                     const std::vector<geometry::Curve>& curves, const Extent& extent,
-                     Progress& progress);
+PlacedFeatures features_of(const std::vector<geometry::Point>& points,
+                           const std::vector<geometry::Curve>& curves,
+                           const Extent& extent, Progress& progress);
 
 }  // namespace cydonia::genetic

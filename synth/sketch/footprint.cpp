@@ -15,9 +15,9 @@ using geometry::cross;
 using geometry::dot;
 using geometry::from_to;
 
-// The shadow by places on the line through its ends, half a sample apart.
+// The shadow by stations on the line through its ends, half a sample apart.
 struct BaseLine {
-    struct Place {
+    struct Station {
         double along;        // metres, of the shadow
         double aside;        // metres left of the base line
         double lean;         // cosine of the angle between them
@@ -25,7 +25,7 @@ struct BaseLine {
     };
     Point2 begin, direction;  // of length 1
     double length, step;
-    std::vector<Place> places;
+    std::vector<Station> stations;
 
     BaseLine(const Landform& landform, double spacing) {
         const geometry::Shape& shadow = landform.shadow;
@@ -43,35 +43,35 @@ struct BaseLine {
             while (s + 2 < shadow.points.size() && share_of(s + 1) < t) ++s;
             const double from = share_of(s), to = share_of(s + 1);
             const double share = std::clamp((t - from) / (to - from), 0.0, 1.0);
-            Place place;
-            place.along =
+            Station station;
+            station.along =
                 shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
-            place.aside =
+            station.aside =
                 cross(direction,
                       from_to(begin, geometry::between(shadow.points[s],
                                                        shadow.points[s + 1], share)));
             // Of tangents, which do not jump from line to line.
-            place.lean = dot(geometry::unit_of(geometry::between(
-                                 shadow.tangents[s], shadow.tangents[s + 1], share)),
-                             direction);
-            const auto boundary = landform.boundary(place.along);
-            place.left = boundary[0], place.right = boundary[1];
-            places.push_back(place);
+            station.lean = dot(geometry::unit_of(geometry::between(
+                                   shadow.tangents[s], shadow.tangents[s + 1], share)),
+                               direction);
+            const auto boundary = landform.boundary(station.along);
+            station.left = boundary[0], station.right = boundary[1];
+            stations.push_back(station);
         }
     }
     // Between two.
-    Place at(double t) const {
-        const double k = std::clamp(t / step, 0.0, double(places.size() - 1));
-        const auto i = std::min(std::size_t(k), places.size() - 2);
+    Station at(double t) const {
+        const double k = std::clamp(t / step, 0.0, double(stations.size() - 1));
+        const auto i = std::min(std::size_t(k), stations.size() - 2);
         const double f = k - double(i);
-        const Place &a = places[i], &b = places[i + 1];
+        const Station &a = stations[i], &b = stations[i + 1];
         const auto mix = [f](double from, double to) { return from + f * (to - from); };
         return {mix(a.along, b.along), mix(a.aside, b.aside), mix(a.lean, b.lean),
                 mix(a.left, b.left), mix(a.right, b.right)};
     }
     double widest() const {
         double most = 0.0;
-        for (const Place& p : places)
+        for (const Station& p : stations)
             most = std::max({most, (std::abs(p.aside) + p.left / p.lean),
                              std::abs(p.aside) + p.right / p.lean});
         return most;
@@ -94,12 +94,12 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
             const Point2 p = from_to(line.begin, grid.centre(x, y));
             const double t = dot(p, line.direction), aside = cross(line.direction, p);
             if (t < 0.0 || t > line.length || std::abs(aside) > widest) continue;
-            const BaseLine::Place place = line.at(t);
+            const BaseLine::Station station = line.at(t);
             // Across the shadow, as boundaries are measured.
-            const double off = (aside - place.aside) * place.lean;
-            const double reach = off > 0.0 ? place.left : place.right;
+            const double off = (aside - station.aside) * station.lean;
+            const double reach = off > 0.0 ? station.left : station.right;
             if (!(std::abs(off) < reach)) continue;
-            feet.push_back({land.index(x, y), float(place.along / total * (values - 1)),
+            feet.push_back({land.index(x, y), float(station.along / total * (values - 1)),
                             float(std::abs(off) / spacing), float(reach / spacing)});
         }
     return feet;

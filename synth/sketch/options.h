@@ -66,7 +66,7 @@ struct Feature {
 };
 
 // A part of the land that is as rough as a stroke (section 3.3); its form stays.
-struct Region {
+struct RoughRegion {
     std::string name;
     Way way;  // the loop, closed where it is not
     Silhouette noise;
@@ -79,9 +79,9 @@ enum class NoiseKind { kWavelet, kTexture, kDetail };
 
 // Gain, Marais and Strasser, "Terrain Sketching", 2009.
 struct Options {
-    std::vector<Feature> features;  // each on the land that those before have made
-    std::vector<Region> regions;    // after them
-    int levels = 6;                 // m: the widest scale is 2^m samples
+    std::vector<Feature> features;     // each on the land that those before have made
+    std::vector<RoughRegion> regions;  // after them
+    int levels = 6;                    // m: the widest scale is 2^m samples
     NoiseKind noise = NoiseKind::kWavelet;
     // Real land: whose bands are as strong as wavelets are to be, or whose land the noise
     // is.

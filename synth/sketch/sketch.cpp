@@ -123,7 +123,7 @@ class Making {
                                         covered(feet));
     }
 
-    void roughen_region(const Region& region) {
+    void roughen_region(const RoughRegion& region) {
         const double spacing = land_.ground.spacing;
         const int values = values_along(region.length.in(land_.ground.width), spacing);
         const NoiseLevels noise =
@@ -190,7 +190,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         progress.report(double(i + 1) / double(options.features.size()));
     }
     if (!options.regions.empty()) progress.step("sketch: regions");
-    for (const Region& region : options.regions) making.roughen_region(region);
+    for (const RoughRegion& region : options.regions) making.roughen_region(region);
     return std::move(making).done();
 }
 

@@ -113,10 +113,10 @@ Maker::Maker(const Options& options, const Extent& extent, const Context& contex
             return passes;
         });
     if (!pasting_->empty())
-        guidance_.kept = [this](const Window& window, int pass) {
-            Kept kept;
-            pasting_->lay_down(window, pass, kept);
-            return kept;
+        guidance_.pinned = [this](const Window& window, int pass) {
+            PinnedRegion pinned;
+            pasting_->lay_down(window, pass, pinned);
+            return pinned;
         };
 }
 

@@ -8,8 +8,8 @@
 #include "synth/hydrology/depressions.h"
 #include "synth/texture/constraints/constraint_errors.h"
 #include "synth/texture/database/types.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/patches.h"
-#include "synth/texture/synthesis/places.h"
 
 namespace cydonia::texture {
 namespace {
@@ -33,7 +33,7 @@ double share(const Field<float>& mask) {
 std::uint8_t type_at(const Maker& maker, const Synthesis& land, int x, int y) {
     const Window& w = land.window;
     const Level& level = maker.database().levels[std::size_t(w.level)];
-    const Spot spot = spot_of(land.places(x, y));
+    const Spot spot = spot_of(land.origins(x, y));
     const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
     return level.types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
 }
@@ -95,14 +95,14 @@ void report(const Options& options, const Maker& maker, const Synthesis& land,
     figures["texture: outside the exemplars' heights, share"] = share(outside);
 
     const PatchFigures patches =
-        patch_figures(maker.database(), land.places, land.window.level);
+        patch_figures(maker.database(), land.origins, land.window.level);
     figures["texture: patches"] = patches.patches;
     figures["texture: patch size, typical, cells"] = double(patches.typical);
     figures["texture: patch size, largest, cells"] = double(patches.largest);
     figures["texture: coherent cells, share"] = patches.coherent;
     figures["texture: exemplars' blocks used, share"] = patches.used;
     terrain.pictures["sources"] =
-        source_map(maker.database(), land.places, land.window.level);
+        source_map(maker.database(), land.origins, land.window.level);
 
     if (!options.types.empty()) add_type_masks(options, maker, land, terrain);
     if (!maker.geometry().empty()) report_constraints(maker, terrain);

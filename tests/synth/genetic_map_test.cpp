@@ -20,7 +20,7 @@ LibraryOptions library_of(std::initializer_list<const char*> names) {
     return library;
 }
 
-Region region(const char* type, Outline outline) {
+MapRegion region(const char* type, Outline outline) {
     return {type, type, {std::move(outline)}};
 }
 

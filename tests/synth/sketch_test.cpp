@@ -177,7 +177,7 @@ TEST_F(Sketch, BoundariesAreHeldAlongTheWay) {
 
 TEST_F(Sketch, RegionsChangeFineScalesInsideTheirLoop) {
     Options options;
-    Region region;
+    RoughRegion region;
     region.name = "moor";
     region.way.points = {{metres(500.0), metres(300.0)},
                          {metres(1500.0), metres(300.0)},

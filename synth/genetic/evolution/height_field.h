@@ -27,7 +27,7 @@ struct LevelDone {
 };
 
 // What points and curves make of the land of a level; may be empty.
-using Features = std::function<void(Field<float>& heights, double spacing)>;
+using PlacedFeatures = std::function<void(Field<float>& heights, double spacing)>;
 
 // Builds a height field level by level (section IV.3.3). `regions`: on the finest level's
 // cells. The last of the result is the land. `samples` coarse to fine, the first the base
@@ -35,9 +35,10 @@ using Features = std::function<void(Field<float>& heights, double spacing)>;
 std::vector<LevelDone> height_field(const Regions& regions,
                                     const std::vector<LevelSamples>& samples, int ratio,
                                     const EvolutionOptions& options,
-                                    const Features& features, const ByTexture* texture,
-                                    double texture_from, double texture_to,
-                                    std::uint64_t seed, Progress& progress);
+                                    const PlacedFeatures& features,
+                                    const ByTexture* texture, double texture_from,
+                                    double texture_to, std::uint64_t seed,
+                                    Progress& progress);
 
 // The coarsest of the levels that has land enough for every used type and at least a few
 // cells of terrain: levels are `ratio` times finer from one to the next, the last

@@ -122,7 +122,7 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
         map.regions[site] = {fmt::format("{} {}", type, site + 1), type, {cells[site]}};
     }
     std::erase_if(map.regions,
-                  [](const Region& r) { return r.outlines.front().size() < 3; });
+                  [](const MapRegion& r) { return r.outlines.front().size() < 3; });
     return map;
 }
 

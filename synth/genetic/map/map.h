@@ -18,7 +18,7 @@ struct MapRaster {
     Field<int> regions;         // index in `all`
     Field<float> distances;     // metres to the nearest boundary between types
     struct Found {
-        std::string name;
+        std::string name = {};
         int type = 0;
         std::size_t cells = 0;
         std::array<int, 4> box{};     // west, north, east and south column and row

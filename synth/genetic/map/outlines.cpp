@@ -188,7 +188,7 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
       corners_(same_) {
     const auto [west, south, east, north] = map.window;
     std::vector<std::vector<Loop>> raw;
-    for (const Region& region : map.regions) {
+    for (const MapRegion& region : map.regions) {
         raw.emplace_back();
         if (region.outlines.empty())
             throw bad_request("region '{}' has no outline", region.name);

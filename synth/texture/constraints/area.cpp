@@ -1,7 +1,7 @@
 #include "synth/texture/constraints/area.h"
 
 #include "field/sample.h"
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 
 namespace cydonia::texture {
 
@@ -88,7 +88,7 @@ SmoothArea::SmoothArea(const Shape& shape, const Course& course, const Ground& g
         for (int x = 0; x < grid_.width; ++x) {
             const int segment = nearest(x, y).segment;
             if (segment < 0) continue;
-            const Asked asked = asked_by(shape, course, segment, grid_.centre(x, y));
+            const Demand asked = demand_of(shape, course, segment, grid_.centre(x, y));
             areas_(x, y) = static_cast<float>(asked.area);
             distances(x, y) = static_cast<float>(asked.distance / node);
         }

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "synth/texture/constraints/meetings.h"
+#include "synth/texture/constraints/crossings.h"
 
 namespace cydonia::texture {
 
@@ -36,18 +36,19 @@ std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
 
 class Joiner {
   public:
-    Joiner(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground)
-        : spikes_(spikes),
-          strands_(strands),
+    Joiner(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
+           const Ground& ground)
+        : points_(points),
+          curves_(curves),
           land_{0.0, ground.width, 0.0, ground.depth},
           cell_(ground.spacing) {}
 
     void join() {
-        const auto meetings = meetings_of(spikes_, strands_, cell_);
+        const auto crossings = crossings_of(points_, curves_, cell_);
         // In their order, so that what comes earlier is settled.
-        for (auto begin = meetings.begin(); begin != meetings.end();) {
+        for (auto begin = crossings.begin(); begin != crossings.end();) {
             auto end = begin;
-            while (end != meetings.end() && end->second == begin->second) ++end;
+            while (end != crossings.end() && end->second == begin->second) ++end;
             settle({begin, end});
             begin = end;
         }
@@ -75,19 +76,19 @@ class Joiner {
     }
 
   private:
-    bool is_spike(int owner) const { return std::size_t(owner) < spikes_.size(); }
-    Strand& strand(int owner) const {
-        return strands_[std::size_t(owner) - spikes_.size()];
+    bool is_point(int owner) const { return std::size_t(owner) < points_.size(); }
+    CurveConstraint& curve(int owner) const {
+        return curves_[std::size_t(owner) - points_.size()];
     }
     const std::string& name(int owner) const {
-        return is_spike(owner) ? spikes_[owner].name : strand(owner).name;
+        return is_point(owner) ? points_[owner].name : curve(owner).name;
     }
     double height(int owner, double along) const {
-        return is_spike(owner) ? spikes_[owner].height
-                               : strand(owner).course.height(along);
+        return is_point(owner) ? points_[owner].height
+                               : curve(owner).course.height(along);
     }
 
-    void note(const Meeting& m, double won, double lost) {
+    void note(const Crossing& m, double won, double lost) {
         if (std::abs(won - lost) <= 0.1 * cell_ || !land_.holds(m.at)) return;
         Dispute& dispute = disputes_[{m.first, m.second}];
         ++dispute.places;
@@ -99,22 +100,22 @@ class Joiner {
         dispute.lost = lost;
     }
 
-    // All meetings of the later of two constraints.
-    void settle(const std::vector<Meeting>& meetings) {
-        const int owner = meetings.front().second;
+    // All crossings of the later of two constraints.
+    void settle(const std::vector<Crossing>& crossings) {
+        const int owner = crossings.front().second;
         std::vector<Knot> heights;
-        for (const Meeting& m : meetings) {
+        for (const Crossing& m : crossings) {
             if (m.first == m.second) continue;
             const double won = height(m.first, m.along[0]);
             if (add(heights, m.along[1], won)) note(m, won, height(owner, m.along[1]));
         }
-        if (is_spike(owner)) {
-            spikes_[owner].height = heights.front().value;
+        if (is_point(owner)) {
+            points_[owner].height = heights.front().value;
             return;
         }
-        for (const Meeting& m : meetings)
+        for (const Crossing& m : crossings)
             if (m.first == m.second) tie(heights, m);
-        bend(strand(owner), std::move(heights));
+        bend(curve(owner), std::move(heights));
     }
 
     // What stands there already holds.
@@ -130,7 +131,7 @@ class Joiner {
     }
 
     // A curve with itself.
-    void tie(std::vector<Knot>& heights, const Meeting& m) {
+    void tie(std::vector<Knot>& heights, const Crossing& m) {
         const double a = height(m.second, m.along[0]), b = height(m.second, m.along[1]);
         const Knot* held = standing(heights, m.along[0]);
         if (!held) held = standing(heights, m.along[1]);
@@ -155,9 +156,9 @@ class Joiner {
 
     // Adds what is missing to the junctions' heights, and nothing at handles and farther
     // away.
-    void bend(Strand& strand, std::vector<Knot> heights) const {
-        const Course& course = strand.course;
-        const double length = strand.shape.length();
+    void bend(CurveConstraint& curve, std::vector<Knot> heights) const {
+        const Course& course = curve.course;
+        const double length = curve.shape.length();
         std::vector<Knot> added;
         for (const Knot& knot : heights)
             added.push_back({knot.at, knot.value - course.height(knot.at)});
@@ -166,7 +167,7 @@ class Joiner {
         std::sort(added.begin(), added.end(),
                   [](const Knot& a, const Knot& b) { return a.at < b.at; });
 
-        const bool ring = strand.shape.closed;
+        const bool ring = curve.shape.closed;
         const double begin = ring ? added.back().at - length : 0.0;
         const double end = ring ? added.front().at + length : length;
         std::vector<Knot> knots;
@@ -185,11 +186,11 @@ class Joiner {
             if (after > 0.0) knots.push_back({knot.at + after, 0.0});
         }
         if (ring) knots = onto_ring(std::move(knots), length);
-        strand.course.bend(knots);
+        curve.course.bend(knots);
     }
 
-    std::vector<Spike>& spikes_;
-    std::vector<Strand>& strands_;
+    std::vector<PointConstraint>& points_;
+    std::vector<CurveConstraint>& curves_;
     Box land_;
     double cell_;
     std::map<std::pair<int, int>, Dispute> disputes_;
@@ -197,9 +198,9 @@ class Joiner {
 
 }  // namespace
 
-void join(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground,
-          Progress& progress) {
-    Joiner joiner(spikes, strands, ground);
+void join(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
+          const Ground& ground, Progress& progress) {
+    Joiner joiner(points, curves, ground);
     joiner.join();
     joiner.warn(progress);
 }

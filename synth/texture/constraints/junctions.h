@@ -4,19 +4,19 @@
 #include <vector>
 
 #include "field/progress.h"
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 
 namespace cydonia::texture {
 
 // A point constraint, ready to be asked.
-struct Spike {
+struct PointConstraint {
     std::string name;
     Point2 at{};
     double height = 0.0;  // metres
     Point2 gradient{};    // rise over run towards east and north
     double radius = 0.0;  // metres
 
-    Asked asked(const Point2& p) const {
+    Demand asked(const Point2& p) const {
         const Point2 v = geometry::from_to(at, p);
         return {height + geometry::dot(gradient, v), geometry::length(v), radius};
     }
@@ -28,7 +28,7 @@ struct Spike {
 // its area of effect, at least twice the difference and at most as far as its next
 // handle. Warns, once a pair, where they differ by more than a tenth of a cell, and says
 // which won. Throws bad_request where curves are one tangle.
-void join(std::vector<Spike>& spikes, std::vector<Strand>& strands,
+void join(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
           const geometry::Ground& ground, Progress& progress);
 
 }  // namespace cydonia::texture

@@ -13,8 +13,8 @@ namespace cydonia::texture {
 // more than a cell apart, only the earlier one's sites stay: a warning names both. Warns
 // of what lies outside the terrain, too. Throws bad_request for more than kMostSites.
 inline constexpr std::size_t kMostSites = 4'000'000;
-std::vector<Geometry::Site> sites_of(const std::vector<Spike>& spikes,
-                                     const std::vector<Strand>& strands,
+std::vector<Geometry::Site> sites_of(const std::vector<PointConstraint>& points,
+                                     const std::vector<CurveConstraint>& curves,
                                      const geometry::Ground& ground, Progress& progress);
 
 }  // namespace cydonia::texture

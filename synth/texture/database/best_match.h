@@ -15,8 +15,8 @@ inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
 // The best match of one cell among those it was shown so far.
 class BestMatch {
   public:
-    // Goes on from `match`, whose unlikeness is `score`, and leaves what is better there.
-    // Orientations that are not among `turns` may not be considered.
+    // Goes on from `match`, whose dissimilarity is `score`, and leaves what is better
+    // there. Orientations that are not among `turns` may not be considered.
     BestMatch(const LevelArrays& level, std::span<const int> turns, int of_exemplar,
               int at_x, int at_y, Match& match, float& score)
         : exemplar(of_exemplar),
@@ -48,7 +48,7 @@ class BestMatch {
     void consider(int e, int u, int v, int orientation) {
         if (!allowed(e, u, v)) return;
         const Sheet& sheet = level_.sheets[std::size_t(e)];
-        const float score = unlikeness(
+        const float score = dissimilarity(
             wanted(orientation), &level_.appearance[sheet.index(u, v)], sheet.stride);
         if (score >= score_) return;
         score_ = score;

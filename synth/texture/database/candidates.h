@@ -12,8 +12,8 @@ namespace cydonia::texture {
 void try_all(BestMatch& best, const LevelArrays& level, std::span<const int> turns);
 
 // The two of a leaf that are nearest by their traits.
-void try_alike(BestMatch& best, int orientation, const TraitSpace& space,
-               const AlikeTree& tree);
+void try_similar(BestMatch& best, int orientation, const TraitSpace& space,
+                 const KdTree& tree);
 
 // The four cells of a coarse one go on to the four of its match, turned with it.
 void try_coarser(BestMatch& best, const LevelArrays& coarser);

@@ -104,10 +104,10 @@ class Search {
         each_cell(tile, false, [&](BestMatch& best) { try_all(best, level_, turns_); });
     }
     void start(const Tile& tile, const LevelArrays* coarser, const TraitSpace& space,
-               const AlikeTree& tree) {
+               const KdTree& tree) {
         each_cell(tile, false, [&](BestMatch& best) {
             if (coarser) try_coarser(best, *coarser);
-            for (int o : turns_) try_alike(best, o, space, tree);
+            for (int o : turns_) try_similar(best, o, space, tree);
         });
     }
     void before_pass() { before_ = matches_; }
@@ -180,7 +180,7 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
         each_tile([&](const Tile& tile) { search.exhaustive(tile); });
     } else {
         const TraitSpace space(level);
-        const AlikeTree tree(samples_of(level, space));
+        const KdTree tree(samples_of(level, space));
         each_tile([&](const Tile& tile) { search.start(tile, coarser, space, tree); });
         for (int pass = 0; pass < kPasses; ++pass) {
             search.before_pass();
@@ -190,11 +190,11 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
     level.matches = search.taken();
 }
 
-float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
-                 const Match& match) {
+float dissimilarity(const LevelArrays& level, int exemplar, int x, int y,
+                    const Match& match) {
     const Sheet& sheet = level.sheets[match.exemplar];
-    return unlikeness(wanted_view(level, exemplar, x, y, match.orientation),
-                      &level.appearance[sheet.index(match.x, match.y)], sheet.stride);
+    return dissimilarity(wanted_view(level, exemplar, x, y, match.orientation),
+                         &level.appearance[sheet.index(match.x, match.y)], sheet.stride);
 }
 
 float best_unlikeness(const LevelArrays& level, int exemplar, int x, int y,

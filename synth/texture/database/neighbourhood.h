@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "synth/texture/database/alike_tree.h"
+#include "synth/texture/database/kd_tree.h"
 #include "synth/texture/database/orientation.h"
 #include "synth/texture/database/pyramid.h"
 
@@ -36,7 +36,7 @@ View wanted_view(const LevelArrays& level, int exemplar, int x, int y, int orien
 
 // The mean square of what is left between two neighbourhoods when the second is raised or
 // lowered to fit best. Units of appearance space, squared.
-inline float unlikeness(const View& wanted, const Appearance* at, int stride) {
+inline float dissimilarity(const View& wanted, const Appearance* at, int stride) {
     const Float4 height = {float((*at)[0]), 0, 0, 0};
     Float4 squares{}, sum{};
     for (std::size_t k = 0; k < kCompared.size(); ++k) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 

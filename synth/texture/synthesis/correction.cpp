@@ -15,7 +15,7 @@
 #include "synth/texture/database/pyramid.h"
 #include "synth/texture/synthesis/appearance_read.h"
 #include "synth/texture/synthesis/height_read.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 namespace {
@@ -57,10 +57,10 @@ template <bool kSnapped>
 class Pass {
   public:
     Pass(Synthesis& land, const Database& database, const Controls& controls,
-         const Asked& asked, const Kept& kept, int pass)
+         const CellGuidance& guidance, const PinnedRegion& pinned, int pass)
         : land_(land),
-          asked_(asked),
-          kept_(kept),
+          guidance_(guidance),
+          pinned_(pinned),
           controls_(controls),
           unit_(static_cast<float>(database.unit)),
           seed_(hash_of({controls.seed, key("seeds"), std::uint64_t(pass)})),
@@ -76,29 +76,29 @@ class Pass {
     }
 
     void cell(int x, int y) const {
-        const std::size_t at = land_.places.index(x, y);
-        const float weight = kept_.weights.empty() ? 1.0f : kept_.weights[at];
+        const std::size_t at = land_.origins.index(x, y);
+        const float weight = pinned_.weights.empty() ? 1.0f : pinned_.weights[at];
         if (weight == 0.0f) return keep(at);
         if (kSnapped && settled(at, weight)) return;
 
-        const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
+        const TypeSet types = guidance_.types.empty() ? kAnyType : guidance_.types[at];
         if (land_.window.level > kCoarsestCorrected && types == kAnyType &&
             weight == 1.0f)
             return;
         Candidates candidates;
         gather(at, types, candidates);
         Contest contest(neighbourhood(at), price_at(at));
-        if (weight < 1.0f && may_be_used(spot_of(kept_.places[at]), types))
-            score_kept(at, weight, contest);
+        if (weight < 1.0f && may_be_used(spot_of(pinned_.origins[at]), types))
+            score_pinned(at, weight, contest);
         for (int i = 0; i < candidates.count; ++i) {
             const Candidate& candidate = candidates.all[std::size_t(i)];
             score(candidate.around, candidate.kappa, contest);
         }
         if (contest.nothing() && types != kAnyType) seed(x, y, types, contest);
         if (contest.nothing()) return;
-        land_.places[at] = place_of(contest.spot);
+        land_.origins[at] = origin_of(contest.spot);
         land_.offsets[at] = contest.offset;
-        if (!asked_.pulls.empty()) pull(at, contest.spot);
+        if (!guidance_.pulls.empty()) pull(at, contest.spot);
     }
 
   private:
@@ -109,7 +109,7 @@ class Pass {
     using Reading = AppearanceReader::Around;
     // Q of eq. 3, each once, with what its score is multiplied by.
     struct Candidate {
-        Place place;
+        Origin place;
         Reading around;
         float kappa;
     };
@@ -134,14 +134,14 @@ class Pass {
     // Whether all that the score looks at continues this cell's land: then no other comes
     // nearer, and only the height is left to solve for.
     bool settled(std::size_t at, float weight) const {
-        const Place own = land_.places[at];
+        const Origin own = land_.origins[at];
         const Step e = kTurns.east[own.orientation()],
                    s = kTurns.south[own.orientation()];
         bool same = true;
         std::int64_t heights = 0;
         const auto look = [&](int dx, int dy) {
             const std::size_t there = at + offset({dx, dy});
-            const Place p = land_.places[there];
+            const Origin p = land_.origins[there];
             same &= p.x == own.x + std::uint32_t((e.x * dx + s.x * dy) * cell_);
             same &= p.y == own.y + std::uint32_t((e.y * dx + s.y * dy) * cell_);
             heights += land_.offsets[there];
@@ -152,8 +152,8 @@ class Pass {
             look(d.x, 2 * d.y);
             if (!same) return false;
         }
-        const bool kept = weight < 1.0f && kept_.places[at] == own;
-        land_.offsets[at] = kept ? kept_.offsets[at]
+        const bool kept = weight < 1.0f && pinned_.origins[at] == own;
+        land_.offsets[at] = kept ? pinned_.offsets[at]
                                  : static_cast<std::int32_t>(std::lrintf(
                                        static_cast<float>(heights) * (1.0f / 12.0f)));
         return true;
@@ -162,7 +162,7 @@ class Pass {
     // g of eq. 5: the appearance at one cell as its neighbour at -v sees it.
     Int4 seen(std::size_t there, Step v) const {
         const Reading around =
-            read_.template around<kSnapped>(spot_of(land_.places[there]));
+            read_.template around<kSnapped>(spot_of(land_.origins[there]));
         Int4 a = read_.template at<kSnapped>(around, -v.x, -v.y);
         a[0] += land_.offsets[there];
         return a;
@@ -218,7 +218,7 @@ class Pass {
     // two levels, where types are asked for no more, these alone would mix a tenth of the
     // land that the coarser ones sorted.
     bool changes_type(const Spot& spot, const Spot& match) const {
-        if (!kSnapped || !asked_.typed) return false;
+        if (!kSnapped || !guidance_.typed) return false;
         const auto type = [&](const Spot& s) {
             const Sheet& sheet = level_.sheets[std::size_t(s.exemplar)];
             const int x = std::clamp(s.x >> (land_.window.level + 1), 0, sheet.width - 1);
@@ -232,7 +232,7 @@ class Pass {
     void gather(std::size_t at, TypeSet types, Candidates& candidates) const {
         Spot around[9];
         for (int i = 0; i < 9; ++i) {
-            around[i] = spot_of(land_.places[at + offset(kNeighbours[i])]);
+            around[i] = spot_of(land_.origins[at + offset(kNeighbours[i])]);
             if (kSnapped) __builtin_prefetch(match_at(around[i]));
         }
         for (int i = 0; i < 9; ++i)
@@ -248,7 +248,7 @@ class Pass {
     // Scores come later, so that what they read can come meanwhile.
     void add(const Spot& spot, float kappa, TypeSet types, Candidates& candidates) const {
         if (!may_be_used(spot, types)) return;
-        const Place place = place_of(spot);
+        const Origin place = origin_of(spot);
         for (int i = 0; i < candidates.count; ++i)
             if (candidates.all[std::size_t(i)].place == place) return;
         Candidate& next = candidates.all[std::size_t(candidates.count++)];
@@ -300,27 +300,27 @@ class Pass {
 
     // Of land that is to stay, at the height that it has: else a small change of height
     // anywhere would move all the land by a little.
-    void score_kept(std::size_t at, float weight, Contest& contest) const {
-        const Spot spot = spot_of(kept_.places[at]);
+    void score_pinned(std::size_t at, float weight, Contest& contest) const {
+        const Spot spot = spot_of(pinned_.origins[at]);
         const auto [mean, rest] =
             difference(read_.template around<kSnapped>(spot), contest.around,
                        std::numeric_limits<float>::infinity());
-        const float offset = 3.0f * static_cast<float>(kept_.offsets[at]);
+        const float offset = 3.0f * static_cast<float>(pinned_.offsets[at]);
         contest.score = weight * (rest + 4.0f * (mean - offset) * (mean - offset) +
                                   contest.price * offset * offset);
         contest.spot = spot;
-        contest.offset = kept_.offsets[at];
+        contest.offset = pinned_.offsets[at];
     }
 
     // Land that constraints hold up pays nothing for its height.
     float price_at(std::size_t at) const {
-        const bool held = !asked_.pulls.empty() && asked_.pulls[at].reach > 0.0f;
+        const bool held = !guidance_.pulls.empty() && guidance_.pulls[at].reach > 0.0f;
         return held ? 0.0f : price_;
     }
 
     void keep(std::size_t at) const {
-        land_.places[at] = kept_.places[at];
-        land_.offsets[at] = kept_.offsets[at];
+        land_.origins[at] = pinned_.origins[at];
+        land_.offsets[at] = pinned_.offsets[at];
     }
 
     // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
@@ -345,7 +345,7 @@ class Pass {
 
     // Eq. 9: towards what points and curves ask for.
     void pull(std::size_t at, const Spot& spot) const {
-        const Pull& wish = asked_.pulls[at];
+        const Pull& wish = guidance_.pulls[at];
         if (!(wish.reach > 0.0f)) return;
         const float height = height_at(level_, land_.window.level, spot) +
                              unit_ * float(land_.offsets[at]);
@@ -355,8 +355,8 @@ class Pass {
     }
 
     Synthesis& land_;
-    const Asked& asked_;
-    const Kept& kept_;
+    const CellGuidance& guidance_;
+    const PinnedRegion& pinned_;
     const Controls& controls_;
     const float unit_;
     const std::uint64_t seed_;
@@ -385,34 +385,34 @@ void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
 }  // namespace
 
 void correct(Synthesis& land, const Database& database, const Controls& controls,
-             const Asked& asked, const Kept& kept, int pass) {
-    const Asked of_finest{.typed = asked.typed};
+             const CellGuidance& guidance, const PinnedRegion& pinned, int pass) {
+    const CellGuidance of_finest{.typed = guidance.typed};
     if (is_snapped(land.window.level, controls))
         correct_in_place(land.window,
-                         Pass<true>(land, database, controls, of_finest, kept, pass));
+                         Pass<true>(land, database, controls, of_finest, pinned, pass));
     else
         correct_in_place(land.window,
-                         Pass<false>(land, database, controls, asked, kept, pass));
+                         Pass<false>(land, database, controls, guidance, pinned, pass));
 }
 
-void lift(Synthesis& land, const Database& database, const Asked& asked,
-          const Kept& kept) {
+void lift(Synthesis& land, const Database& database, const CellGuidance& guidance,
+          const PinnedRegion& pinned) {
     const Window& w = land.window;
     const Level& level = database.levels[std::size_t(w.level)];
     const float unit = static_cast<float>(database.unit);
     Field<float> heights(w.width, w.height);
     parallel_for(w.height, 16, [&](int y) {
         for (std::size_t i = heights.index(0, y); i < heights.index(0, y) + w.width; ++i)
-            if (asked.pulls[i].reach > 0.0f)
-                heights[i] = height_at(level, w.level, spot_of(land.places[i])) +
+            if (guidance.pulls[i].reach > 0.0f)
+                heights[i] = height_at(level, w.level, spot_of(land.origins[i])) +
                              unit * float(land.offsets[i]);
     });
     const Field<float> rise = residual_correction(
-        asked.pulls, heights, database.spacing * double(1 << w.level));
+        guidance.pulls, heights, database.spacing * double(1 << w.level));
     for (std::size_t i = 0; i < rise.size(); ++i) {
         land.offsets[i] += static_cast<std::int32_t>(std::lrintf(rise[i] / unit));
-        if (!kept.weights.empty() && kept.weights[i] == 0.0f)
-            land.offsets[i] = kept.offsets[i];
+        if (!pinned.weights.empty() && pinned.weights[i] == 0.0f)
+            land.offsets[i] = pinned.offsets[i];
     }
 }
 

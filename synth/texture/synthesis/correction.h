@@ -18,7 +18,7 @@ inline bool is_snapped(int level, const Controls& controls) {
 // What points, curves and types ask of the cells of a window; empty: nothing. On the
 // finest two levels they ask nothing more, but types that coarser levels sorted stay
 // sorted.
-struct Asked {
+struct CellGuidance {
     Field<Pull> pulls = {};
     Field<TypeSet> types = {};
     bool typed = false;  // types are asked for, on this level or coarser ones
@@ -26,12 +26,12 @@ struct Asked {
 
 // One pass, eq. 3 to 9, over all of the window but its outermost two cells.
 void correct(Synthesis& land, const Database& database, const Controls& controls,
-             const Asked& asked, const Kept& kept, int pass);
+             const CellGuidance& guidance, const PinnedRegion& pinned, int pass);
 
 // What the passes of a level have left of the errors at points and curves, taken off
 // smoothly (notes.md, trial 10). Looks kLiftHalo cells around.
 inline constexpr int kLiftHalo = 12;
-void lift(Synthesis& land, const Database& database, const Asked& asked,
-          const Kept& kept);
+void lift(Synthesis& land, const Database& database, const CellGuidance& guidance,
+          const PinnedRegion& pinned);
 
 }  // namespace cydonia::texture

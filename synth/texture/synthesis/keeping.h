@@ -13,11 +13,11 @@ class Keeping {
     // `guidance` without coherence. `frozen`: where the last run's land must stay; none:
     // nowhere.
     Keeping(const Guidance& guidance, std::optional<Run> last,
-            std::optional<Region> frozen, const Controls& controls, int levels);
+            std::optional<CellSet> frozen, const Controls& controls, int levels);
 
     // W and what it is of: the last run's land is kept to where the same is asked as
     // then. Called once for every pass of every level.
-    Kept kept(const Window& window, int pass);
+    PinnedRegion pinned(const Window& window, int pass);
 
     Recording& passes() { return run_.passes; }
     // The run, for the next one; `database` is whose places it holds.
@@ -29,7 +29,7 @@ class Keeping {
 
     const Guidance& guidance_;
     std::optional<Run> last_;
-    std::optional<Region> frozen_;
+    std::optional<CellSet> frozen_;
     int finest_guided_;
     Run run_;
     std::vector<Window> windows_;  // of run_.asked

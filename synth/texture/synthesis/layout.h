@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "field/field.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 

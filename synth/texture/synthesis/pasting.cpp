@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "field/error.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 
@@ -26,12 +26,12 @@ bool in_polygon(const std::vector<std::array<double, 2>>& outline, double x, dou
 
 // The paste's own shape, metres east and north of `from`; a paste without one is as large
 // as its exemplar.
-struct Shape {
+struct PasteShape {
     const Paste& paste;
     double radius;                  // metres; 0: a polygon or the whole
     double half_width, half_depth;  // of its bounding box
 
-    Shape(const Paste& p, const Ground& ground, double width, double depth)
+    PasteShape(const Paste& p, const Ground& ground, double width, double depth)
         : paste(p), radius(p.radius.in(ground.width)) {
         half_width = half_depth = radius;
         if (radius == 0.0 && p.outline.empty()) {
@@ -70,13 +70,13 @@ Field<std::uint8_t> grown(const Field<std::uint8_t>& inside, int cells) {
 
 }  // namespace
 
-Region region_of(const Window& window, Field<std::uint8_t> inside, int levels) {
-    Region region;
+CellSet cell_set_of(const Window& window, Field<std::uint8_t> inside, int levels) {
+    CellSet region;
     region.finest = window.level;
     region.layers.push_back({window, grown(inside, kReadOut)});
     for (int i = 1; i < levels; ++i) {
-        const Region::Layer& fine = region.layers.back();
-        Region::Layer coarse{fine.window.coarser(), {}};
+        const CellSet::Layer& fine = region.layers.back();
+        CellSet::Layer coarse{fine.window.coarser(), {}};
         coarse.inside = {coarse.window.width, coarse.window.height};
         for (int y = 0; y < fine.window.height; ++y)
             for (int x = 0; x < fine.window.width; ++x)
@@ -116,7 +116,7 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
         width = 2.0 * half * sheet.width;
         depth = 2.0 * half * sheet.height;
     }
-    const Shape shape(paste, ground, width, depth);
+    const PasteShape shape(paste, ground, width, depth);
     const int o = paste.exemplar > 0 ? orientation_of(paste) : 0;
 
     // To whole cells of the finest level, so that centres fall on centres.
@@ -163,13 +163,13 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
                                        (from_y - there.y - patch.shift.y) * half);
         }
     }
-    patch.region = region_of(window, std::move(inside),
-                             static_cast<int>(database_.levels.size()) - finest_);
+    patch.region = cell_set_of(window, std::move(inside),
+                               static_cast<int>(database_.levels.size()) - finest_);
     return patch;
 }
 
 bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int pass,
-                     Place& place, std::int32_t& offset) const {
+                     Origin& place, std::int32_t& offset) const {
     const int cell = 2 << window.level;
     const Step there =
         kTurns(patch.orientation, x * cell + cell / 2, y * cell + cell / 2);
@@ -182,8 +182,8 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
         const Synthesis& land = passes[std::min(std::size_t(pass), passes.size() - 1)];
         const int i = (from.x >> (window.level + 1)) - land.window.x;
         const int j = (from.y >> (window.level + 1)) - land.window.y;
-        if (!land.places.contains(i, j)) return false;
-        const Spot own = spot_of(land.places(i, j));
+        if (!land.origins.contains(i, j)) return false;
+        const Spot own = spot_of(land.origins(i, j));
         const int beside_x = (from.x & (cell - 1)) - cell / 2;
         const int beside_y = (from.y & (cell - 1)) - cell / 2;
         spot = own.moved(kTurns(own.orientation, beside_x, beside_y));
@@ -193,29 +193,30 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
         database_.levels[std::size_t(window.level)].sheets[std::size_t(spot.exemplar)];
     const Spot kept = kept_inside(spot, sheet, window.level);
     if (patch.exemplar > 0 && (kept.x != spot.x || kept.y != spot.y)) return false;
-    place = place_of(window.level <= finest_ + 1 ? Spot{kept.exemplar, kept.orientation,
-                                                        snapped(kept.x, window.level),
-                                                        snapped(kept.y, window.level)}
-                                                 : kept);
+    place = origin_of(window.level <= finest_ + 1 ? Spot{kept.exemplar, kept.orientation,
+                                                         snapped(kept.x, window.level),
+                                                         snapped(kept.y, window.level)}
+                                                  : kept);
     offset += patch.raise;
     return true;
 }
 
-void Pasting::lay_down(const Window& window, int pass, Kept& kept) const {
+void Pasting::lay_down(const Window& window, int pass, PinnedRegion& pinned) const {
     if (patches_.empty()) return;
-    if (kept.weights.empty())
-        kept = {{window.width, window.height, 1.0f},
-                {window.width, window.height},
-                {window.width, window.height}};
+    if (pinned.weights.empty())
+        pinned = {{window.width, window.height, 1.0f},
+                  {window.width, window.height},
+                  {window.width, window.height}};
     for (const Patch& patch : patches_) {
-        const Region::Layer& layer = patch.region.at(window.level);
+        const CellSet::Layer& layer = patch.region.at(window.level);
         for (int row = 0; row < window.height; ++row) {
             for (int column = 0; column < window.width; ++column) {
                 const int x = window.x + column, y = window.y + row;
                 if (!layer.holds(x, y)) continue;
-                const std::size_t i = kept.places.index(column, row);
-                if (source(patch, window, x, y, pass, kept.places[i], kept.offsets[i]))
-                    kept.weights[i] = 0.0f;
+                const std::size_t i = pinned.origins.index(column, row);
+                if (source(patch, window, x, y, pass, pinned.origins[i],
+                           pinned.offsets[i]))
+                    pinned.weights[i] = 0.0f;
             }
         }
     }

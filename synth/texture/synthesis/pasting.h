@@ -13,7 +13,7 @@ namespace cydonia::texture {
 
 // Cells of the finest level and whatever covers one of them at coarser ones, as W's zeros
 // spread (section 5.3).
-struct Region {
+struct CellSet {
     struct Layer {
         Window window;
         Field<std::uint8_t> inside;
@@ -27,7 +27,7 @@ struct Region {
     const Layer& at(int level) const { return layers[std::size_t(level - finest)]; }
 };
 // Grown by what reading out looks at, so that heights inside are those of the places.
-Region region_of(const Window& window, Field<std::uint8_t> inside, int levels);
+CellSet cell_set_of(const Window& window, Field<std::uint8_t> inside, int levels);
 
 // Regions that are put down and locked (section 5.3).
 class Pasting {
@@ -40,11 +40,11 @@ class Pasting {
 
     bool empty() const { return patches_.empty(); }
     // Locks the cells that pastes cover, later ones over earlier.
-    void lay_down(const Window& window, int pass, Kept& kept) const;
+    void lay_down(const Window& window, int pass, PinnedRegion& pinned) const;
 
   private:
     struct Patch {
-        Region region;     // where it is put
+        CellSet region;    // where it is put
         int exemplar = 0;  // from 1; 0: the terrain
         int orientation = 0;
         Step shift;  // half cells: a cell's centre, turned, and this is where it is from
@@ -54,7 +54,7 @@ class Pasting {
     Patch patch_of(const Paste& paste, const geometry::Ground& ground) const;
     // Whether there is such land; places of a pass as the last there is.
     bool source(const Patch& patch, const Window& window, int x, int y, int pass,
-                Place& place, std::int32_t& offset) const;
+                Origin& place, std::int32_t& offset) const;
 
     const Database& database_;
     int finest_;

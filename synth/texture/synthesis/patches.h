@@ -17,11 +17,11 @@ struct PatchFigures {
     double used =
         0.0;  // share of the exemplars' whole 16x16 blocks that any cell is from
 };
-PatchFigures patch_figures(const Database& database, const Field<Place>& places,
+PatchFigures patch_figures(const Database& database, const Field<Origin>& origins,
                            int level = 0);
 
 // Red grows east and green south in the exemplar, blue with its number.
-Field<Rgb8> source_map(const Database& database, const Field<Place>& places,
+Field<Rgb8> source_map(const Database& database, const Field<Origin>& origins,
                        int level = 0);
 
 }  // namespace cydonia::texture

@@ -4,7 +4,7 @@
 
 #include "field/parallel.h"
 #include "synth/texture/synthesis/height_read.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/synthesis.h"
 
 namespace cydonia::texture {
@@ -21,7 +21,7 @@ Field<std::uint8_t> seams(const Synthesis& land) {
     const int cell = 2 << w.level;
     Field<std::uint8_t> seam(w.width, w.height);
     const auto continues = [&](std::size_t a, std::size_t b, Step s) {
-        const Place p = land.places[a], q = land.places[b];
+        const Origin p = land.origins[a], q = land.origins[b];
         const Step t = kTurns(p.orientation(), s.x * cell, s.y * cell);
         return q.x == p.x + std::uint32_t(t.x) && q.y == p.y + std::uint32_t(t.y);
     };
@@ -92,15 +92,15 @@ ReadOut read_out(const Database& database, const Synthesis& land) {
             const int cx = x + kFade, cy = y + kFade;
             if (!out.faded(cx, cy)) {
                 out.heights(x, y) =
-                    height_at(level, w.level, spot_of(land.places(cx, cy))) +
+                    height_at(level, w.level, spot_of(land.origins(cx, cy))) +
                     metres * float(land.offsets(cx, cy));
                 continue;
             }
             float sum = 0.0f;
             for (int dy = -kFade; dy <= kFade; ++dy) {
                 for (int dx = -kFade; dx <= kFade; ++dx) {
-                    const std::size_t i = land.places.index(cx + dx, cy + dy);
-                    const Spot spot = spot_of(land.places[i]);
+                    const std::size_t i = land.origins.index(cx + dx, cy + dy);
+                    const Spot spot = spot_of(land.origins[i]);
                     const Step back = kTurns(spot.orientation, -dx * cell, -dy * cell);
                     sum += weights.of[dy + kFade][dx + kFade] *
                            (height_at(level, w.level, spot.moved(back)) +

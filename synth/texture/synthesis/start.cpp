@@ -62,7 +62,7 @@ Synthesis started(const Database& database, const Layout& layout,
             const TypeSet asked = types.empty() ? kAnyType : types(column, row);
             for (int k = 1; k < count && !is_of(asked, level, spot, top); ++k)
                 spot = land_of(int((laid + std::int64_t{k} * kStride) % count));
-            land.places(column, row) = place_of(spot);
+            land.origins(column, row) = origin_of(spot);
         }
     return land;
 }
@@ -75,7 +75,7 @@ void cut_out(Synthesis& land, const Database& database, const Layout& layout,
         for (int column = 0; column < window.width; ++column) {
             if (!types.empty() && types(column, row) != kAnyType) continue;
             const Spot spot = layout.at(window.x + column, window.y + row);
-            land.places(column, row) = place_of(kept_inside(
+            land.origins(column, row) = origin_of(kept_inside(
                 spot, level.sheets[std::size_t(spot.exemplar)], window.level));
         }
 }

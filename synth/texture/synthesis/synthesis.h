@@ -15,27 +15,27 @@ namespace cydonia::texture {
 
 // S, section 4: where a cell's land comes from. Half cells of level 0 from the exemplar's
 // north-west corner; `x` also carries the exemplar and its orientation.
-struct Place {
+struct Origin {
     std::uint32_t x = 0;  // exemplar << 24 | orientation << 21 | x
     std::uint32_t y = 0;
 
     int exemplar() const { return static_cast<int>(x >> 24); }
     int orientation() const { return static_cast<int>(x >> 21 & 7u); }
-    bool operator==(const Place&) const = default;
+    bool operator==(const Origin&) const = default;
 };
 
 // S and V of a window at its level.
 struct Synthesis {
     Window window;
-    Field<Place> places;
+    Field<Origin> origins;
     Field<std::int32_t> offsets;  // V, in Database::unit
 };
 
 // Land that is to stay (section 5.3), for a window and a pass: as one more candidate. The
 // pass after the last is what points and curves then lift.
-struct Kept {
+struct PinnedRegion {
     Field<float> weights;  // W: 0 exactly this land, 1 none of it; empty: none anywhere
-    Field<Place> places;
+    Field<Origin> origins;
     Field<std::int32_t> offsets;
 };
 
@@ -43,7 +43,7 @@ struct Kept {
 struct Guidance {
     std::function<Field<Pull>(const Window&)> pulls;
     std::function<Field<TypeSet>(const Window&)> types;
-    std::function<Kept(const Window&, int pass)> kept;
+    std::function<PinnedRegion(const Window&, int pass)> pinned;
 };
 
 // What each correction pass left behind, by level and pass; where there are points and

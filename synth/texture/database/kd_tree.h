@@ -17,10 +17,10 @@ struct Sample {
 };
 
 // Finds samples of traits near the asked ones: a k-d tree, its leaves in one array.
-class AlikeTree {
+class KdTree {
   public:
     // The same for any number of threads.
-    explicit AlikeTree(std::vector<Sample> samples);
+    explicit KdTree(std::vector<Sample> samples);
 
     // The samples of the leaf that these traits fall into; none when there are none.
     std::span<const Sample> around(const Traits& traits) const;

@@ -1,4 +1,4 @@
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 
 #include "synth/geometry/nearest.h"
 
@@ -31,7 +31,7 @@ double right_share(const Shape& shape, int segment, double share, const Point2& 
 
 }  // namespace
 
-Asked asked_by(const Shape& shape, const Course& course, int segment, const Point2& p) {
+Demand demand_of(const Shape& shape, const Course& course, int segment, const Point2& p) {
     const Point2 &a = shape.points[segment], &b = shape.points[segment + 1];
     const double share = nearest_share(a, b, p);
     const Point2 v = from_to(between(a, b, share), p);

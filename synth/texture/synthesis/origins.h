@@ -21,13 +21,13 @@ struct Spot {
     bool operator==(const Spot&) const = default;
 };
 
-inline Spot spot_of(const Place& place) {
+inline Spot spot_of(const Origin& place) {
     constexpr std::uint32_t kCoordinate = (1u << 21) - 1;
     return {place.exemplar(), place.orientation(), int(place.x & kCoordinate),
             int(place.y)};
 }
 
-inline Place place_of(const Spot& spot) {
+inline Origin origin_of(const Spot& spot) {
     return {std::uint32_t(spot.exemplar) << 24 | std::uint32_t(spot.orientation) << 21 |
                 std::uint32_t(spot.x),
             std::uint32_t(spot.y)};
