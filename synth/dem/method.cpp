@@ -6,7 +6,7 @@ Method method_of(const Options&) {
     return {.name = "dem", .version = kVersion, .whole_because = "it is one model"};
 }
 
-// The model is read whole; our own exr files pack a height into a byte at best.
+// The whole model is read.
 std::uint64_t peak_memory(const Options& options, std::uint64_t cells, std::uint64_t) {
     return 24 * model_cells(options.source) + 16 * cells;
 }

@@ -71,8 +71,8 @@ struct MapOptions {
     int automatic = 0;  // so many regions are made up (section VII.3); 0: as drawn
 };
 
-// Of the height field genetic algorithm (section IV.3.3; defaults as notes and measures
-// have them).
+// Of the height field genetic algorithm (section IV.3.3; defaults as docs/papers.md and
+// measures have them).
 struct EvolutionOptions {
     int gene = 16;         // cells
     double overlap = 0.3;  // of a gene's side

@@ -16,8 +16,8 @@ Method method_of(const Options& options) {
             .follows_memory = options.coherent};
 }
 
-// Measured 117 bytes a cell of the exemplars while they are prepared, and 56 a cell of
-// the land after that; 191 with recordings of all passes, for and of a run.
+// Measured: 117 bytes a cell of the exemplars while they are prepared, then 56 a cell of
+// the land, or 191 where the passes of the last run and of this one are kept.
 std::uint64_t peak_memory(const Options& options, std::uint64_t cells, std::uint64_t) {
     std::uint64_t exemplars = 0;
     for (const Exemplar& exemplar : options.exemplars)

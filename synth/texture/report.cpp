@@ -14,7 +14,7 @@
 namespace cydonia::texture {
 namespace {
 
-// Cells whose height no exemplar has (notes.md, Gain 6).
+// 1 at cells whose height is outside the exemplars' range (docs/papers.md, Gain 2015, 6).
 Field<float> outside_range(const Field<float>& heights, const Database& database) {
     Field<float> outside(heights.width(), heights.height());
     for (std::size_t i = 0; i < heights.size(); ++i)
@@ -29,7 +29,8 @@ double share(const Field<float>& mask) {
     return sum / static_cast<double>(mask.size());
 }
 
-// Of the exemplar's ground that a cell came from: an index, or kNoType.
+// The type of the exemplar's cell that a cell came from: an index in Options::types, or
+// kNoType.
 std::uint8_t type_at(const Maker& maker, const Synthesis& land, int x, int y) {
     const Window& w = land.window;
     const Level& level = maker.database().levels[std::size_t(w.level)];
@@ -38,7 +39,8 @@ std::uint8_t type_at(const Maker& maker, const Synthesis& land, int x, int y) {
     return level.types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
 }
 
-// Where the land has each type, for looks, things and passes: "type-walls", 0 or 1.
+// Adds a mask for each type, such as "type-walls", with 1 where the land is of that type.
+// Looks, things and passes use them.
 void add_type_masks(const Options& options, const Maker& maker, const Synthesis& land,
                     Terrain& terrain) {
     std::vector<Field<float>*> masks;
@@ -53,7 +55,8 @@ void add_type_masks(const Options& options, const Maker& maker, const Synthesis&
     });
 }
 
-// Of the cells that a type is asked of, those that have it; 1 where none is asked.
+// The share of the cells with a requested type that have it; 1 where no type is
+// requested.
 double typed_share(const Maker& maker, const Synthesis& land) {
     const Window& w = land.window;
     Window guided = w;

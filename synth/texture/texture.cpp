@@ -15,7 +15,7 @@
 namespace cydonia::texture {
 namespace {
 
-// Frozen cells of the finest level under a terrain.
+// The frozen cells, from the finest level on.
 std::optional<CellSet> frozen_region(const Options& options, const Maker& maker) {
     if (!options.frozen) return std::nullopt;
     const double cell = maker.ground().spacing * (1 << maker.controls().finest);
@@ -23,7 +23,7 @@ std::optional<CellSet> frozen_region(const Options& options, const Maker& maker)
                         static_cast<int>(std::ceil(maker.ground().width / cell)),
                         static_cast<int>(std::ceil(maker.ground().depth / cell))};
     const Field<float> white = read_grey_at(*options.frozen, window.width, window.height);
-    // Beyond the terrain the land that its border was made with stays too.
+    // The land around the terrain that its border depends on is frozen, too.
     const Window all = window.grown(2 * kReadOut);
     Field<std::uint8_t> inside(all.width, all.height);
     for (int y = 0; y < all.height; ++y)
@@ -34,7 +34,8 @@ std::optional<CellSet> frozen_region(const Options& options, const Maker& maker)
     return cell_set_of(all, std::move(inside), maker.levels() - maker.controls().finest);
 }
 
-// Whether every place is on an exemplar: a checksum tells accidents only.
+// Whether every origin lies on an exemplar. The file's checksum guards against accidents
+// only.
 bool all_on_exemplars(const Run& run, const Database& database) {
     for (std::size_t level = 0; level < run.passes.size(); ++level) {
         if (level >= database.levels.size()) return false;
@@ -51,7 +52,7 @@ bool all_on_exemplars(const Run& run, const Database& database) {
     return true;
 }
 
-// The last run, where its places are those of the same exemplars.
+// The last run, if it used the same exemplars.
 std::optional<Run> last_run(const Context& context, const Database& exemplars,
                             std::uint64_t database) {
     if (!context.memory) return std::nullopt;
@@ -59,7 +60,7 @@ std::optional<Run> last_run(const Context& context, const Database& exemplars,
     if (!last) return std::nullopt;
     if (last->database == database && all_on_exemplars(*last, exemplars)) return last;
     context.progress->note(
-        "texture: the exemplars are others than in the last run: nothing is kept of it");
+        "texture: the exemplars have changed since the last run: nothing is kept of it");
     return std::nullopt;
 }
 
@@ -77,7 +78,7 @@ Synthesis coherent_synthesis(const Options& options, const Maker& maker,
     return land;
 }
 
-// Samples of land that stays as it is: frozen or pasted.
+// 1 at samples whose heights may not change, as they are frozen or pasted.
 Field<std::uint8_t> locked_samples(const Maker& maker,
                                    const std::optional<CellSet>& frozen,
                                    const Window& window, int width, int height) {

@@ -56,7 +56,7 @@ TEST_F(Exemplars, OthersAreResampledToIt) {
             ASSERT_NEAR(b(x, y), plane_at(0.4 * x - 0.3, 0.4 * y - 0.3), 1e-3);
     ASSERT_EQ(listener_.notes.size(), 1u);
     EXPECT_EQ(listener_.notes[0],
-              "b.tif: its cells of 25 m were resampled to the synthesis' 10 m");
+              "b.tif: resampled from cells of 25 m to the synthesis' 10 m");
 }
 
 TEST_F(Exemplars, SpacingIsStretchedAndHeightsAreScaled) {

@@ -12,7 +12,7 @@ using namespace geometry;
 
 namespace {
 
-// A line of a curve; or, of no length, a point or a free end.
+// A line of a curve, or, with no length, a point constraint or a free end of a curve.
 struct Piece {
     int owner, segment;
     Point2 a, b;
@@ -47,7 +47,7 @@ std::vector<Piece> pieces_of(const std::vector<PointConstraint>& points,
         }
         ++owner;
     }
-    // The order of equals must not depend on how they are sorted.
+    // A stable sort, so that the order of equal ones is always the same.
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
         return p.box.west < q.box.west;
     });
@@ -62,7 +62,7 @@ Crossing crossing_at(const Piece& p, double on_p, const Piece& q, double on_q) {
     return {q.owner, p.owner, {along_q, along_p}, at};
 }
 
-// `dot` is near the line, or the other dot.
+// The crossing where `dot` is near a line or another dot.
 std::optional<Crossing> touching(const Piece& dot, const Piece& other, double near) {
     const double share = other.dot ? 0.0 : nearest_share(other.a, other.b, dot.a);
     if (distance(dot.a, between(other.a, other.b, share)) > near) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Crossing> crossing(const Piece& p, const Piece& q) {
     return crossing_at(p, t, q, u);
 }
 
-// What is one place of a curve is no crossing of two.
+// Whether a crossing is more than one point of a curve with itself.
 bool apart(const Crossing& m, const std::vector<CurveConstraint>& curves,
            std::size_t points, double cell) {
     if (m.first != m.second) return true;
@@ -93,7 +93,7 @@ bool before(const Crossing& m, const Crossing& n) {
            std::tie(n.second, n.along[1], n.first, n.along[0]);
 }
 
-// One of all those of the same two constraints within a cell.
+// Keeps one of all crossings of the same two constraints within a cell.
 std::vector<Crossing> merged(const std::vector<Crossing>& sorted, double cell) {
     std::vector<Crossing> kept;
     for (const Crossing& m : sorted) {

@@ -8,14 +8,14 @@
 
 namespace cydonia::texture {
 
-// What a constraint asks of a place on the plane.
+// What a constraint asks for at a position on the ground.
 struct Demand {
     double target = 0.0;    // h_t, metres
     double distance = 0.0;  // metres
     double area = 0.0;      // of effect there, metres
 };
 
-// A curve constraint, ready to be asked.
+// A curve constraint, prepared for demand_of().
 struct CurveConstraint {
     std::string name;
     geometry::Shape shape;
@@ -23,8 +23,9 @@ struct CurveConstraint {
     SmoothArea area = {};
 };
 
-// By the point of the curve that is nearest to p, which is on line `segment`. Beyond an
-// end both sides' properties are mixed by the angle around it.
+// What a curve asks for at p. The nearest point of the curve, which lies on line
+// `segment`, decides. Beyond an end the properties of both sides are mixed by the angle
+// around the end.
 Demand demand_of(const geometry::Shape& shape, const geometry::Course& course,
                  int segment, const Point2& p);
 inline Demand demand_of(const CurveConstraint& curve, int segment, const Point2& p) {

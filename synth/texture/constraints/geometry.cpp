@@ -12,10 +12,11 @@ using namespace geometry;
 
 namespace {
 
-constexpr int kBand = 16;         // rows at a time
-constexpr double kLimit = 4.0;    // cells that a constraint reaches at any level
-constexpr double kNear = 1e-3;    // of a cell of level 0: nearer counts as on it
-constexpr double kMargin = 1e-6;  // cells, so that rounding leaves out none in reach
+constexpr int kBand = 16;       // rows at a time
+constexpr double kLimit = 4.0;  // cells that a constraint reaches at any level
+constexpr double kNear =
+    1e-3;  // cells of level 0: a place nearer than that is on the constraint
+constexpr double kMargin = 1e-6;  // cells, so that rounding leaves out no cell in reach
 constexpr std::size_t kMostBends = 400'000;
 
 PointConstraint point_constraint_of(const Point& point, const Ground& ground,
@@ -68,8 +69,8 @@ struct Blend {
     double weights = 0.0, targets = 0.0, reaches = 0.0;
     double distance = std::numeric_limits<double>::infinity();
 
-    // Weighted by the inverse of the distance less that of the reach: where influence
-    // ends, it does not leap.
+    // The weight is the inverse of the distance less that of the reach, so that it is 0
+    // where the influence ends.
     void add(const Demand& asked, double reach, double nearest) {
         const double d = std::max(asked.distance, nearest);
         if (!(d < reach)) return;
@@ -86,7 +87,7 @@ struct Blend {
     }
 };
 
-// The blends of some rows of a window.
+// The blends of a few rows of a window.
 class Band {
   public:
     Band(const Grid& grid, double nearest)

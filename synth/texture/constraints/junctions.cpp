@@ -12,14 +12,14 @@ using namespace geometry;
 
 namespace {
 
-// Where two constraints want different heights.
+// A place where two constraints ask for different heights.
 struct Dispute {
     Point2 at{};
-    double won = 0.0, lost = 0.0;  // metres, where they differ most
+    double won = 0.0, lost = 0.0;  // heights where they differ most, metres
     int places = 0;
 };
 
-// The same knots from 0 to length, none at one place.
+// The knots moved into [0, length), without two at the same position.
 std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
     for (Knot& knot : knots) {
         if (knot.at < 0.0) knot.at += length;
@@ -45,7 +45,7 @@ class Joiner {
 
     void join() {
         const auto crossings = crossings_of(points_, curves_, cell_);
-        // In their order, so that what comes earlier is settled.
+        // In the order of the constraints, so that the earlier of two is settled already.
         for (auto begin = crossings.begin(); begin != crossings.end();) {
             auto end = begin;
             while (end != crossings.end() && end->second == begin->second) ++end;
@@ -58,7 +58,9 @@ class Joiner {
         for (const auto& [pair, d] : disputes_) {
             const auto& [first, second] = pair;
             const std::string more =
-                d.places > 1 ? fmt::format(" (the most of {} places)", d.places) : "";
+                d.places > 1
+                    ? fmt::format(" (the largest difference of {} places)", d.places)
+                    : "";
             if (first == second)
                 progress.warn(
                     fmt::format("'{}' crosses itself at ({:.0f}, {:.0f}) m with heights "
@@ -100,7 +102,7 @@ class Joiner {
         dispute.lost = lost;
     }
 
-    // All crossings of the later of two constraints.
+    // Settles all crossings of one constraint with earlier ones.
     void settle(const std::vector<Crossing>& crossings) {
         const int owner = crossings.front().second;
         std::vector<Knot> heights;
@@ -118,7 +120,7 @@ class Joiner {
         bend(curve(owner), std::move(heights));
     }
 
-    // What stands there already holds.
+    // The knot within a cell of `along`, if there is one: it decides the height there.
     const Knot* standing(const std::vector<Knot>& heights, double along) const {
         for (const Knot& knot : heights)
             if (std::abs(knot.at - along) < cell_) return &knot;
@@ -130,7 +132,7 @@ class Joiner {
         return true;
     }
 
-    // A curve with itself.
+    // Gives one height to a crossing of a curve with itself.
     void tie(std::vector<Knot>& heights, const Crossing& m) {
         const double a = height(m.second, m.along[0]), b = height(m.second, m.along[1]);
         const Knot* held = standing(heights, m.along[0]);
@@ -141,21 +143,22 @@ class Joiner {
         add(heights, m.along[1], common);
     }
 
-    // Metres along a curve from a junction to where its bending ends.
+    // How far along a curve it is bent on either side of a junction, metres.
     double bent_over(const Trait& trait, double by) const {
         return std::max({2.0 * std::max(trait.area[0], trait.area[1]), 2.0 * std::abs(by),
                          4.0 * cell_});
     }
 
-    // Metres from a junction to where a curve is itself again, 0 where it has no room to
-    // be. A free end stays as it is where there is room for half the bending.
+    // The distance from a junction to where a curve has its own height again, metres; 0
+    // where there is no room for that. A free end keeps its height where there is room
+    // for half the bend.
     static double room(double reach, double gap, bool to_free_end) {
         if (reach < gap) return reach;
         return to_free_end && 2.0 * gap > reach ? gap : 0.0;
     }
 
-    // Adds what is missing to the junctions' heights, and nothing at handles and farther
-    // away.
+    // Adds to the curve what its heights at junctions lack, and nothing at its handles
+    // and farther away.
     void bend(CurveConstraint& curve, std::vector<Knot> heights) const {
         const Course& course = curve.course;
         const double length = curve.shape.length();
@@ -179,7 +182,7 @@ class Joiner {
                 room(reach, knot.at - (first ? begin : added[i - 1].at), first && !ring);
             const double after =
                 room(reach, (last ? end : added[i + 1].at) - knot.at, last && !ring);
-            // Level between two junctions only where both have ended.
+            // The curve is level between two junctions only where both bends have ended.
             if (before > 0.0 && (knots.empty() || knot.at - before > knots.back().at))
                 knots.push_back({knot.at - before, 0.0});
             knots.push_back(knot);

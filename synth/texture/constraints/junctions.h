@@ -8,7 +8,7 @@
 
 namespace cydonia::texture {
 
-// A point constraint, ready to be asked.
+// A point constraint, prepared for asked().
 struct PointConstraint {
     std::string name;
     Point2 at{};
@@ -22,12 +22,12 @@ struct PointConstraint {
     }
 };
 
-// Where constraints cross or touch there is a junction, which has one height: a curve
-// that crosses itself takes the mean of its two; between constraints the earlier one's
-// holds (points come before curves) and the later one is bent to it, smoothly over twice
-// its area of effect, at least twice the difference and at most as far as its next
-// handle. Warns, once a pair, where they differ by more than a tenth of a cell, and says
-// which won. Throws bad_request where curves are one tangle.
+// Gives one height to each junction, where constraints cross or touch. A curve that
+// crosses itself takes the mean of its two heights. Of two constraints the earlier one
+// keeps its height (points come before curves) and the later one is bent to it: smoothly,
+// over twice its area of effect, at least twice the difference and at most as far as its
+// next handle. Warns, once a pair, where heights differ by more than a tenth of a cell,
+// and says which won. Throws bad_request where curves are one tangle.
 void join(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
           const geometry::Ground& ground, Progress& progress);
 

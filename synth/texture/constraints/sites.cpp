@@ -15,8 +15,8 @@ namespace {
 
 using Site = Geometry::Site;
 
-// The shares of the line from a to b inside the box; first > second: none (Liang and
-// Barsky 1984).
+// Which part of the line from a to b is inside the box, as shares of the line (Liang and
+// Barsky 1984); first > second: no part.
 std::pair<double, double> clipped(const Point2& a, const Point2& b, const Box& box) {
     double from = 0.0, to = 1.0;
     const double low[2] = {box.west, box.south}, high[2] = {box.east, box.north};
@@ -31,8 +31,8 @@ std::pair<double, double> clipped(const Point2& a, const Point2& b, const Box& b
     return {from, to};
 }
 
-// Appends the sites of a curve, which are at multiples of one step; whether any of it is
-// inside.
+// Appends the sites of a curve, at multiples of one step. Returns whether any part of the
+// curve is on the land.
 bool add_sites(const CurveConstraint& curve, int owner, const Ground& ground,
                std::vector<Site>& sites) {
     const Box land{0.0, ground.width, 0.0, ground.depth};
@@ -40,7 +40,7 @@ bool add_sites(const CurveConstraint& curve, int owner, const Ground& ground,
     const double count = std::max(1.0, std::ceil(shape.length() / ground.spacing));
     const double step = shape.length() / count;
     bool inside = false;
-    double next = 0.0;  // its number
+    double next = 0.0;  // number of the next site
     for (int s = 0; s < shape.segments(); ++s) {
         const auto [from, to] = clipped(shape.points[s], shape.points[s + 1], land);
         if (from > to) continue;
@@ -69,12 +69,13 @@ struct Clash {
     int sites = 0;
 };
 
-// Two curves that cross at a small angle share some cells, and have been warned of.
+// Two curves that cross at a small angle share a few cells; join() has warned of them.
 constexpr int kAtCrossing = 4;
 
-// Takes away sites that stand in a cell of an earlier constraint's with another height.
+// Removes sites in cells that hold an earlier constraint's site of another height.
 std::vector<Clash> resolve(std::vector<Site>& sites, double cell) {
-    std::unordered_map<std::uint64_t, std::size_t> owners;  // of cells: a site
+    std::unordered_map<std::uint64_t, std::size_t>
+        owners;  // the site that each cell holds
     std::map<std::pair<int, int>, Clash> clashes;
     std::vector<Site> kept;
     for (const Site& site : sites) {

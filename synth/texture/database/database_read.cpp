@@ -19,7 +19,8 @@ namespace {
 
 void expect(bool sound) { ArchiveReader::expect(sound); }
 
-// A file's bytes, for as long as this lives; none when it cannot be mapped.
+// The bytes of a mapped file, valid as long as this lives; none when the file cannot be
+// mapped.
 class Mapping {
   public:
     explicit Mapping(const std::filesystem::path& path) {
@@ -68,7 +69,7 @@ bool is_place(const Level& level, std::uint64_t exemplar, std::uint64_t x,
     return x < std::uint64_t(sheet.width) && y < std::uint64_t(sheet.height);
 }
 
-// That whoever follows what the level says stays within it.
+// Checks that all matches, types and seeds of a level stay within its arrays.
 void expect_sound(const Level& level) {
     std::atomic<bool> sound = true;
     constexpr int kBlock = 1 << 16;
@@ -175,7 +176,7 @@ std::shared_ptr<const Database> mapped_database(const std::filesystem::path& fil
                                                 std::uint64_t key) {
     try {
         auto database = std::make_shared<MappedDatabase>(file, key);
-        std::error_code ignored;  // when it was used last
+        std::error_code ignored;  // marks the file as used now
         std::filesystem::last_write_time(
             file, std::filesystem::file_time_type::clock::now(), ignored);
         return database;

@@ -8,7 +8,7 @@
 namespace cydonia::texture {
 namespace {
 
-// The axis along which samples differ most, by some of them.
+// The axis along which samples differ most, estimated from some of them.
 int widest_axis(std::span<const Sample> samples) {
     const std::size_t every = std::max<std::size_t>(1, samples.size() / 64);
     Traits sum{}, squares{};
@@ -34,7 +34,8 @@ void KdTree::grow(std::size_t node, std::span<Sample> samples) {
     if (node >= nodes_.size()) return;
     const int axis = widest_axis(samples);
     const std::size_t half = samples.size() / 2;
-    // Places order what has equal traits, so that the halves are always the same.
+    // Samples with equal traits are ordered by position, so that the halves are always
+    // the same.
     std::nth_element(
         samples.begin(), samples.begin() + std::ptrdiff_t(half), samples.end(),
         [axis](const Sample& a, const Sample& b) {

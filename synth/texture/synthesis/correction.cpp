@@ -22,24 +22,24 @@ namespace {
 
 // The four diagonal neighbours of eq. 4 and 6.
 constexpr Step kDiagonals[4] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-// Eq. 3's steps, a cell's own place first: it keeps ties.
+// The steps of eq. 3. A cell's own is the first, so that it wins ties.
 constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
                                  {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
 
-// How much a height offset costs beside the four neighbours, from level 0 on:
-// free on coarse levels it evens out the land's relief, held on fine ones it holds seams
-// (notes.md, trial 3; bench/realism.sh).
+// The weight of a height offset beside the four neighbours, from level 0 on. Held on fine
+// levels it keeps seams, free on coarse ones it evens out the relief (docs/papers.md,
+// Gain 2015, trial 3; bench/realism.sh).
 constexpr float kOffsetPrices[] = {0.0f, 0.0f, 0.0f, 0.5f, 2.0f, 4.0f};
 float offset_price(int level) {
     return kOffsetPrices[std::min<std::size_t>(std::size_t(level),
                                                std::size(kOffsetPrices) - 1)];
 }
 
-// Land of no asked type is corrected from this level on: above it blocks stay as they
-// were laid out (synth/texture/synthesis/pieces.h). There a correction spreads some
-// pieces over others, and what is left is a copy of large parts of an exemplar, some of
-// it twice (bench/realism.sh, columns used and repeated). So would the matches of this
-// level.
+// Where no type is requested, land is corrected from this level on. On coarser levels
+// blocks stay as they were laid out (synth/texture/synthesis/pieces.h), because a
+// correction would spread some pieces over others and leave copies of large parts of an
+// exemplar, some of them twice (bench/realism.sh, columns used and repeated). The matches
+// of this level would do the same.
 constexpr int kCoarsestCorrected = 4;
 
 constexpr int kSeedsOfType = 9;
@@ -102,12 +102,12 @@ class Pass {
     }
 
   private:
-    // N_S, three times eq. 6.
+    // N_S of eq. 6, times three.
     struct Around {
         Int4 corners[4];
     };
     using Reading = AppearanceReader::Around;
-    // Q of eq. 3, each once, with what its score is multiplied by.
+    // A member of Q, eq. 3, and the factor of its score. No two have the same origin.
     struct Candidate {
         Origin place;
         Reading around;
@@ -131,8 +131,8 @@ class Pass {
 
     std::ptrdiff_t offset(Step s) const { return std::ptrdiff_t(s.y) * width_ + s.x; }
 
-    // Whether all that the score looks at continues this cell's land: then no other comes
-    // nearer, and only the height is left to solve for.
+    // Whether all cells that the score looks at continue this cell's land. Then no
+    // candidate fits better, and only the height is solved for.
     bool settled(std::size_t at, float weight) const {
         const Origin own = land_.origins[at];
         const Step e = kTurns.east[own.orientation()],
@@ -159,7 +159,7 @@ class Pass {
         return true;
     }
 
-    // g of eq. 5: the appearance at one cell as its neighbour at -v sees it.
+    // g of eq. 5: the appearance at a cell as its neighbour at -v sees it.
     Int4 seen(std::size_t there, Step v) const {
         const Reading around =
             read_.template around<kSnapped>(spot_of(land_.origins[there]));
@@ -184,19 +184,19 @@ class Pass {
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
         return &level_.matches[sheet.index(spot.x >> (level + 1), spot.y >> (level + 1))];
     }
-    // C_2 at the place's cell; it lies in its cell as the place does in its own.
+    // C_2 of a position's cell, with the same offset from its cell's centre.
     Spot match_of(const Spot& spot) const {
         const Match m = *match_at(spot);
         const int o = kTurns.composed[spot.orientation][m.orientation];
         const int x = m.x * cell_ + cell_ / 2, y = m.y * cell_ + cell_ / 2;
         if (kSnapped) return {m.exemplar, o, x, y};
-        // A cell's width is a power of two.
+        // This works because a cell's width is a power of two.
         const Step within = kTurns(m.orientation, (spot.x & (cell_ - 1)) - cell_ / 2,
                                    (spot.y & (cell_ - 1)) - cell_ / 2);
         return {m.exemplar, o, x + within.x, y + within.y};
     }
 
-    // A neighbour's land, continued to this cell.
+    // A neighbour's land continued to this cell.
     Spot seen_from(const Spot& spot, Step d) const {
         return spot.moved(kTurns(spot.orientation, -d.x * cell_, -d.y * cell_));
     }
@@ -214,9 +214,9 @@ class Pass {
         return types == kAnyType || (type < kMostTypes && (types >> type & 1u));
     }
 
-    // Whether a match is of another type than the land that it stands for: on the finest
-    // two levels, where types are asked for no more, these alone would mix a tenth of the
-    // land that the coarser ones sorted.
+    // Whether a match has another type than the cell that it is a match of. On the two
+    // finest levels, where types are no longer requested, such matches alone would mix a
+    // tenth of the land that the coarser levels sorted.
     bool changes_type(const Spot& spot, const Spot& match) const {
         if (!kSnapped || !guidance_.typed) return false;
         const auto type = [&](const Spot& s) {
@@ -245,7 +245,7 @@ class Pass {
         }
     }
 
-    // Scores come later, so that what they read can come meanwhile.
+    // Candidates are scored later, so that the prefetched memory can arrive first.
     void add(const Spot& spot, float kappa, TypeSet types, Candidates& candidates) const {
         if (!may_be_used(spot, types)) return;
         const Origin place = origin_of(spot);
@@ -256,12 +256,12 @@ class Pass {
         read_.fetch(next.around);
     }
 
-    // How a place's neighbourhood differs from N_S, in thirds of the database's unit:
-    // the height by which it lies off, and the rest of eq. 7 without it.
+    // How a candidate's neighbourhood differs from N_S: the offset in height, and the
+    // rest of eq. 7 without it. In thirds of the database's unit.
     struct Difference {
         float height, rest;
     };
-    // Without the second half of the work where the first makes the rest `enough`.
+    // Stops half way where the rest already reaches `enough`.
     Difference difference(const Reading& place, const Around& around,
                           float enough) const {
         Float4 d[4];
@@ -285,7 +285,7 @@ class Pass {
         return {mean, (squares[0] + squares[2]) + (squares[1] + squares[3])};
     }
 
-    // Eq. 7 with h in closed form.
+    // Eq. 7, with h solved in closed form.
     void score(const Reading& place, float kappa, Contest& contest) const {
         const auto [mean, rest] =
             difference(place, contest.around, contest.score / kappa);
@@ -298,8 +298,8 @@ class Pass {
             std::lrintf(4.0f / (4.0f + price) * mean * (1.0f / 3.0f)));
     }
 
-    // Of land that is to stay, at the height that it has: else a small change of height
-    // anywhere would move all the land by a little.
+    // The score of pinned land, at its own height; otherwise a small change of height
+    // anywhere would move all land slightly.
     void score_pinned(std::size_t at, float weight, Contest& contest) const {
         const Spot spot = spot_of(pinned_.origins[at]);
         const auto [mean, rest] =
@@ -312,7 +312,7 @@ class Pass {
         contest.offset = pinned_.offsets[at];
     }
 
-    // Land that constraints hold up pays nothing for its height.
+    // Where constraints set the height, an offset costs nothing.
     float price_at(std::size_t at) const {
         const bool held = !guidance_.pulls.empty() && guidance_.pulls[at].reach > 0.0f;
         return held ? 0.0f : price_;
@@ -323,7 +323,8 @@ class Pass {
         land_.offsets[at] = pinned_.offsets[at];
     }
 
-    // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
+    // Section 5.2: where no candidate has a requested type, tries nine seeds of each such
+    // type.
     void seed(int x, int y, TypeSet types, Contest& contest) const {
         for (int t = 0; t < kMostTypes; ++t) {
             if (!(types >> t & 1u)) continue;
@@ -343,7 +344,7 @@ class Pass {
         }
     }
 
-    // Eq. 9: towards what points and curves ask for.
+    // Eq. 9: moves the height towards what points and curves ask for.
     void pull(std::size_t at, const Spot& spot) const {
         const Pull& wish = guidance_.pulls[at];
         if (!(wish.reach > 0.0f)) return;
@@ -370,8 +371,8 @@ class Pass {
 
 template <bool kSnapped>
 void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
-    // Cells of one parity look at none of their own, so that they change in place. Parity
-    // is that of the plane.
+    // Cells of one parity do not look at one another, so they can be changed in place.
+    // Parity is that of the cell's position on the plane, not in the window.
     for (int sub = 0; sub < 4; ++sub) {
         const int x0 = 2 + ((w.x + (sub & 1)) & 1);
         const int y0 = 2 + ((w.y + (sub >> 1)) & 1);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kCoherent = 0.25f;  // section 5.3
 
-// What is asked of each cell of a window, as one number; 0: nothing.
+// A hash of what is asked of each cell of a window; 0: nothing.
 Field<std::uint64_t> asked_of(const Guidance& guidance, const PinnedRegion& pasted,
                               const Window& window) {
     Field<std::uint64_t> asked(window.width, window.height);

@@ -12,7 +12,7 @@ using namespace geometry;
 
 namespace {
 
-// Even-odd.
+// Whether a point is inside a polygon, by the even-odd rule.
 bool in_polygon(const std::vector<std::array<double, 2>>& outline, double x, double y) {
     bool inside = false;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
@@ -24,12 +24,12 @@ bool in_polygon(const std::vector<std::array<double, 2>>& outline, double x, dou
     return inside;
 }
 
-// The paste's own shape, metres east and north of `from`; a paste without one is as large
-// as its exemplar.
+// The shape of a paste, in metres east and north of `from`. A paste without a shape is as
+// large as its exemplar.
 struct PasteShape {
     const Paste& paste;
-    double radius;                  // metres; 0: a polygon or the whole
-    double half_width, half_depth;  // of its bounding box
+    double radius;  // of a disc, metres; 0: a polygon or the whole exemplar
+    double half_width, half_depth;  // of its bounding box, metres
 
     PasteShape(const Paste& p, const Ground& ground, double width, double depth)
         : paste(p), radius(p.radius.in(ground.width)) {
@@ -49,7 +49,7 @@ struct PasteShape {
     }
 };
 
-// R for a region turned clockwise: steps on the terrain go back by as much.
+// R of a region that is turned clockwise: steps on the terrain turn back by as much.
 int orientation_of(const Paste& paste) {
     return ((4 - paste.turn) & 3) | (paste.mirror ? 4 : 0);
 }
@@ -94,7 +94,7 @@ Pasting::Pasting(const Options& options, const Database& database, const Ground&
     for (const Paste& paste : options.pastes) {
         Patch patch = patch_of(paste, ground);
         if (patch.exemplar == 0) {
-            // Coarser cells that the region touches reach beyond it.
+            // Coarser cells at the region's border reach beyond it.
             const int cell = 2 << finest;
             const int beyond = 2
                                << (static_cast<int>(database.levels.size()) - 1 - finest);
@@ -108,7 +108,7 @@ Pasting::Pasting(const Options& options, const Database& database, const Ground&
 }
 
 Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const {
-    const double half = 0.5 * ground.spacing;  // metres in half a cell of level 0
+    const double half = 0.5 * ground.spacing;  // half a cell of level 0, metres
     const int cell = 2 << finest_;
     double width = ground.width, depth = ground.depth;
     if (paste.exemplar > 0) {
@@ -119,7 +119,7 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
     const PasteShape shape(paste, ground, width, depth);
     const int o = paste.exemplar > 0 ? orientation_of(paste) : 0;
 
-    // To whole cells of the finest level, so that centres fall on centres.
+    // Rounds to whole cells of the finest level, so that centres fall on centres.
     const auto whole = [&](double half_cells) {
         return static_cast<int>(std::lround(half_cells / cell)) * cell;
     };
@@ -135,7 +135,7 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
                    whole(from_y - (e.y * to_x + s.y * to_y))};
     patch.raise = static_cast<std::int32_t>(std::lround(paste.raise / database_.unit));
 
-    // The part on the terrain and a little more, so that a border of it stays exact.
+    // The part on the terrain, and slightly more, so that its border stays exact.
     const bool across = e.x == 0;
     const double half_width = (across ? shape.half_depth : shape.half_width) / half;
     const double half_depth = (across ? shape.half_width : shape.half_depth) / half;
@@ -177,7 +177,8 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
     Spot spot{patch.exemplar - 1, patch.orientation, from.x, from.y};
     offset = 0;
     if (patch.exemplar == 0) {
-        // The land of the cell that it falls into, from as far beside that one's middle.
+        // The land of the cell that contains the position, at the same offset from the
+        // cell's centre.
         const std::vector<Synthesis>& passes = patch.land[std::size_t(window.level)];
         const Synthesis& land = passes[std::min(std::size_t(pass), passes.size() - 1)];
         const int i = (from.x >> (window.level + 1)) - land.window.x;

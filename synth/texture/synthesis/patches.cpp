@@ -17,11 +17,11 @@ namespace {
 
 constexpr int kBlock = 16;
 
-// The exemplar's cell.
+// The column and the row of the exemplar's cell.
 int column(Origin place, int level) { return spot_of(place).x >> (level + 1); }
 int row(Origin place, int level) { return spot_of(place).y >> (level + 1); }
 
-// Whether b, a step away from a, is the land that lies a step away from a's.
+// Whether the land at `to`, one step from `from`, is what the exemplar has one step away.
 bool goes_on(Origin from, Origin to, Step step, int level) {
     const Step there = turned(from.orientation(), step);
     const Spot a = spot_of(from), b = spot_of(to);
@@ -49,7 +49,9 @@ double coherent_share(const Field<Origin>& origins, int level) {
            static_cast<double>(origins.size());
 }
 
-// Sets of cells that grow together; each is known by its first cell.
+// Disjoint sets of cells (union-find), each named by its first cell. Whether two
+// neighbours belong together depends on both, which OpenCV's connectedComponents cannot
+// express.
 class Sets {
   public:
     explicit Sets(std::size_t cells) : parent_(cells) {
@@ -68,7 +70,8 @@ class Sets {
     std::vector<std::uint32_t> parent_;
 };
 
-// Cells of every patch, the largest first. Patches hang together by their cells' sides.
+// The number of cells of each patch, the largest first. Patches are connected by the
+// sides of cells.
 std::vector<std::int64_t> patch_sizes(const Field<Origin>& origins, int level) {
     Sets sets(origins.size());
     const auto join = [&](int x, int y, Step step) {
@@ -97,7 +100,7 @@ std::int64_t half_way(const std::vector<std::int64_t>& sizes, std::size_t cells)
     return 0;
 }
 
-// Blocks that an exemplar ends within do not count.
+// Blocks that extend beyond an exemplar do not count.
 double used_share(const Database& database, const Field<Origin>& origins, int level) {
     struct Blocks {
         int across, down;

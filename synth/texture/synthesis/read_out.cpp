@@ -10,11 +10,11 @@
 namespace cydonia::texture {
 namespace {
 
-constexpr int kFade = 2;  // cells that a cross-fade looks around
+constexpr int kFade = 2;  // radius of a cross-fade, cells
 static_assert(kReadOut == kFade + 1);
 
-// Where a cell does not continue the land of its western or its northern neighbour.
-// Heights within one land differ by offsets that change smoothly.
+// Marks cells that do not continue the land of their western or their northern neighbour.
+// Within one patch offsets change smoothly.
 constexpr std::uint8_t kWest = 1, kNorth = 2;
 Field<std::uint8_t> seams(const Synthesis& land) {
     const Window& w = land.window;
@@ -36,8 +36,8 @@ Field<std::uint8_t> seams(const Synthesis& land) {
     return seam;
 }
 
-// Not 0 where the cells within kFade are not all of one land. The seam before the
-// first of them is none of theirs.
+// Not 0 where the cells within kFade are not all of one patch. A seam before the first of
+// them does not count.
 Field<std::uint8_t> near_seams(const Field<std::uint8_t>& seam) {
     Field<std::uint8_t> rows(seam.width(), seam.height());
     Field<std::uint8_t> near(seam.width(), seam.height());
@@ -74,7 +74,8 @@ struct Weights {
     }
 };
 
-// What land of one place is as high as there, or a cross-fade of all around.
+// Inside a patch the height is the exemplar's; near seams it is a cross-fade of all
+// patches around.
 struct ReadOut {
     Field<float> heights;       // without the outermost kFade cells
     Field<std::uint8_t> faded;  // of the whole window

@@ -13,8 +13,8 @@
 namespace cydonia::texture {
 namespace {
 
-// Eq. 1 and 2. On the finest two levels places are snapped to the centres of cells, which
-// keeps the exemplar's finest detail (notes.md, trial 1).
+// Eq. 1 and 2. On the two finest levels positions are snapped to the centres of cells,
+// which keeps the exemplar's finest detail (docs/papers.md, Gain 2015, trial 1).
 Synthesis upsampled(const Synthesis& coarse, const Database& database,
                     const Controls& controls, const Window& window) {
     const Level& level = database.levels[std::size_t(window.level)];
@@ -74,7 +74,8 @@ PinnedRegion pinned_at(const Guidance& guidance, const Window& window, int pass)
 Synthesis synthesised(const Database& database, const Controls& controls,
                       const Guidance& guidance, const Window& window, Recording* record,
                       Progress& progress) {
-    // What each level must know right, and what it works on for that.
+    // For each level the window that must be exact, and the larger one that is computed
+    // for that.
     const int top = static_cast<int>(database.levels.size()) - 1;
     std::vector<Window> worked(std::size_t(top) + 1);
     Window needed = window;
@@ -100,7 +101,8 @@ Synthesis synthesised(const Database& database, const Controls& controls,
         if (level < top) land = upsampled(land, database, controls, w);
         const CellGuidance asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
                                  types_at(level), guidance.types != nullptr};
-        // Where types are asked for no more, no cell could say that it is of one.
+        // On levels where types are no longer requested the cells do not say whether they
+        // were.
         const bool sorted = asked.typed && is_snapped(level, controls);
         if (level == layout.level && !sorted)
             cut_out(land, database, layout, asked.types);
