@@ -16,8 +16,8 @@ Method method_of(const Options& options) {
             .makes_land = false};
 }
 
-// The land with its own details, what is quilted and put together; targets with theirs,
-// in every orientation.
+// The land with its own details, those that are quilted and the result; the targets with
+// their details, in every orientation.
 std::uint64_t peak_memory(const Options& options, std::uint64_t cells, std::uint64_t) {
     std::uint64_t targets = 0;
     for (const Target& target : options.targets) targets += model_cells(target.source);

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kMostLevels = 12;
 
-// Down to where at least half of the samples are as fine as the level: the finest level
-// that texture is any use for.
+// The finest level at which at least half of the samples come from models as fine as the
+// level. Texture is of no use on finer ones.
 int finest_real(const std::vector<LevelSamples>& samples) {
     for (int level = int(samples.size()) - 1; level > 0; --level) {
         const auto& all = samples[std::size_t(level)].all;
@@ -42,7 +42,7 @@ Regions regions_of(const MapRaster& map) {
     return regions;
 }
 
-// "sea floor" as the mask "type-sea-floor".
+// A name that is safe in a file name: the mask of "sea floor" is "type-sea-floor".
 std::string file_safe(std::string name) {
     for (char& c : name) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -67,11 +67,11 @@ void show_types(const Options& options, const MapRaster& map, Terrain& terrain) 
     }
 }
 
-// How like its type each region is, by all that the library judges land by (IV.3.2), on
-// the finest level that samples are as fine as: below there is nothing to judge it by.
+// Adds figures of how similar each region is to its type, in all quantities of the
+// library (IV.3.2), at the finest level for which there are real samples.
 void judge(const Options& options, const LevelSamples& finest, const MapRaster& map,
            Regions regions, Terrain& terrain, Progress& progress) {
-    progress.step("genetic: how like its types the land is");
+    progress.step("genetic: comparing the land with its types");
     Terrain judged;
     judged.heights = terrain.heights, judged.spacing = terrain.spacing;
     while (judged.spacing < 0.99 * finest.spacing) {
@@ -117,7 +117,8 @@ void judge(const Options& options, const LevelSamples& finest, const MapRaster& 
     if (cells > 0.0) terrain.figures["genetic: similarity"] = sum / cells;
 }
 
-// Of each type, by its samples where their heights are their own; NaN without any.
+// The mean height of each type over its samples with absolute heights; NaN for types
+// without any.
 std::vector<double> mean_heights(const std::vector<LevelSamples>& samples) {
     std::vector<double> means;
     for (std::size_t t = 0; t < samples.back().of_type.size(); ++t) {
@@ -152,7 +153,7 @@ std::vector<LevelSamples> all_samples(const Options& options,
                       most_levels(options, spacing), progress);
 }
 
-// The map as it was drawn, or with regions that are made up where it asks for them.
+// The map as it was drawn, or, if it asks for automatic regions, with regions made up.
 MapOptions drawn_map(const Options& options, const Extent& extent, std::uint64_t seed,
                      Progress& progress) {
     MapOptions drawn = options.map;
@@ -167,7 +168,7 @@ MapOptions drawn_map(const Options& options, const Extent& extent, std::uint64_t
     return drawn;
 }
 
-// The samples of the used types from the base level on.
+// The samples of the used types, from the base level to the finest.
 std::vector<LevelSamples> samples_from_base(const Options& options,
                                             const Regions& regions,
                                             const std::vector<std::uint8_t>& used,
@@ -222,7 +223,8 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     const std::vector<LevelSamples> samples =
         samples_from_base(options, regions, used, extent, progress);
 
-    // Texture takes over after level `from`; below `to` samples are too coarse for it.
+    // Texture makes the levels after `from`, up to `to`; on finer ones samples are too
+    // coarse.
     const bool may_use = options.optimiser == Optimiser::kTexture;
     const int from = std::min(may_use ? 1 : 99, int(samples.size()) - 1),
               to = finest_real(samples);

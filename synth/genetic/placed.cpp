@@ -15,7 +15,7 @@ PlacedFeatures features_of(const std::vector<geometry::Point>& points,
     if (points.empty() && curves.empty()) return {};
     texture::Options options;
     options.points = points, options.curves = curves;
-    // The base level's land without them, for heights that are relative to it.
+    // The base level's land without placed features, for heights that are relative to it.
     auto natural = std::make_shared<Field<float>>();
     auto spacing_of = std::make_shared<double>(0.0);
     return [options, extent, natural, spacing_of, &progress](Field<float>& heights,

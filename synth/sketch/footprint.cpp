@@ -8,20 +8,21 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kLeastReach = 2.0;  // samples: of the finest deformations
-constexpr double kMostLean = 0.7;  // cosine of the base line with the shadow: 45 degrees
+constexpr double kLeastReach = 2.0;  // samples, of the finest deformations
+constexpr double kMostLean =
+    0.7;  // cosine of the angle between base line and shadow: 45 degrees
 
 using geometry::cross;
 using geometry::dot;
 using geometry::from_to;
 
-// The shadow by stations on the line through its ends, half a sample apart.
+// The shadow as seen from stations on the line through its ends, half a sample apart.
 struct BaseLine {
     struct Station {
-        double along;        // metres, of the shadow
-        double aside;        // metres left of the base line
-        double lean;         // cosine of the angle between them
-        double left, right;  // metres, of the boundary
+        double along;  // position along the shadow, metres
+        double aside;  // distance of the shadow to the left of the base line, metres
+        double lean;   // cosine of the angle between them
+        double left, right;  // distances of the boundary, metres
     };
     Point2 begin, direction;  // of length 1
     double length, step;
@@ -50,7 +51,7 @@ struct BaseLine {
                 cross(direction,
                       from_to(begin, geometry::between(shadow.points[s],
                                                        shadow.points[s + 1], share)));
-            // Of tangents, which do not jump from line to line.
+            // From tangents, which do not jump from line to line.
             station.lean = dot(geometry::unit_of(geometry::between(
                                    shadow.tangents[s], shadow.tangents[s + 1], share)),
                                direction);
@@ -59,7 +60,7 @@ struct BaseLine {
             stations.push_back(station);
         }
     }
-    // Between two.
+    // Interpolated between two stations.
     Station at(double t) const {
         const double k = std::clamp(t / step, 0.0, double(stations.size() - 1));
         const auto i = std::min(std::size_t(k), stations.size() - 2);
@@ -95,7 +96,7 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
             const double t = dot(p, line.direction), aside = cross(line.direction, p);
             if (t < 0.0 || t > line.length || std::abs(aside) > widest) continue;
             const BaseLine::Station station = line.at(t);
-            // Across the shadow, as boundaries are measured.
+            // Measured across the shadow, as boundaries are.
             const double off = (aside - station.aside) * station.lean;
             const double reach = off > 0.0 ? station.left : station.right;
             if (!(std::abs(off) < reach)) continue;
@@ -105,7 +106,7 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
     return feet;
 }
 
-// By a full search of the curve.
+// By the nearest point of the whole curve.
 std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
                             double spacing) {
     const geometry::Shape& shadow = landform.shadow;
@@ -172,7 +173,8 @@ std::vector<Foot> footprint(const Landform& landform, const Field<float>& land,
 
 void share_out(std::vector<std::vector<Foot>>& feet, std::size_t samples) {
     if (feet.size() < 2) return;
-    // Inverse distances, without a step where a landform ends; on a shadow its own alone.
+    // Weights are inverse distances, without a step where a landform ends. On a shadow
+    // only its own landform counts.
     const auto pull = [](const Foot& foot) {
         return foot.noise / (foot.distance * foot.distance + 1e-3f);
     };

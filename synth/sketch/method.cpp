@@ -12,8 +12,8 @@ Method method_of(const Options&) {
             .whole_because = "its landforms are as large as they are drawn"};
 }
 
-// All scales of the land, footprints as large as it, and what lies under those that
-// others are seen through; real land's noise is made like land.
+// All scales of the land, footprints as large as the land, and copies of the land under
+// landforms through which others are seen. Noise of real land is made like land.
 std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
                           std::uint64_t threads) {
     constexpr std::uint64_t kDrawings = 64'000'000;  // bytes

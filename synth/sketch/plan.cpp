@@ -40,7 +40,7 @@ bool has_boundary(const Feature& feature) {
            });
 }
 
-// Where the shadow of a silhouette in a view runs that has none of its own: straight
+// The shadow of a silhouette in a view for which no way is given: the straight line
 // between its ends as they are cast on the land.
 geometry::Shape default_shadow(const Feature& feature, const Sight& sight,
                                const Land& land, Progress& progress) {
@@ -103,17 +103,18 @@ void set_boundary(Landform& landform, const Feature& feature,
     }
 }
 
-// Where an end of a way lies on another way of the same feature.
+// The position on another way of the same feature where an end of a way lies.
 struct Joint {
     std::size_t way;
-    double share;  // of that
+    double share;  // of the other way's length
 };
 using Joints = std::array<std::optional<Joint>, 2>;
 
-// Of ways with those before them; leads their ends onto these.
+// Joins ways with those before them, and moves their ends onto these.
 std::vector<Joints> joined(std::vector<geometry::NamedShape>& ways,
                            const geometry::Ground& ground) {
-    constexpr double kReach = 0.02;  // of the terrain's width: what a hand leaves open
+    constexpr double kReach =
+        0.02;  // share of the terrain's width: gaps that a hand leaves open
     std::vector<Joints> joints(ways.size());
     for (std::size_t k = 1; k < ways.size(); ++k) {
         if (ways[k].shape.closed) continue;
@@ -174,7 +175,7 @@ Landform landform_of(const Feature& feature, const geometry::NamedShape& named,
     return landform;
 }
 
-// Branches begin and end as high as the way that they leave or come to.
+// A branch begins and ends at the height of the way that it joins.
 void join(std::vector<Landform>& landforms, const std::vector<Joints>& joints) {
     for (std::size_t k = 1; k < landforms.size(); ++k) {
         Field<float>& branch = landforms[k].silhouette;
@@ -193,8 +194,8 @@ void join(std::vector<Landform>& landforms, const std::vector<Joints>& joints) {
     }
 }
 
-// Those whose widest scale, a quarter of the way, is one that the landform has: of a
-// wider one there would be nothing, and all of it a fin as narrow as the finest.
+// The number of levels whose widest scale is at most a quarter of the way. A landform has
+// nothing on wider scales, and would become a fin as narrow as the finest.
 int levels_of(const std::vector<geometry::NamedShape>& ways, double spacing,
               const Options& options) {
     double longest = 0.0;

@@ -10,10 +10,10 @@
 namespace cydonia::sketch {
 namespace {
 
-// Samples from each place inside to the loop; 0 beyond it.
+// The distance to the loop at each sample inside it, in samples; 0 outside.
 Field<float> distances(const geometry::Shape& loop, double spacing, int width,
                        int height) {
-    constexpr int kParts = 16;  // of a sample
+    constexpr int kParts = 16;  // subpixels of a sample
     std::vector<cv::Point> polygon;
     for (const Point2& p : loop.points)
         polygon.emplace_back(int(std::lround((p[0] / spacing - 0.5) * kParts)),

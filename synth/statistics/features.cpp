@@ -8,8 +8,8 @@
 namespace cydonia::statistics {
 namespace {
 
-constexpr std::size_t kShortest = 5;  // samples
-constexpr float kJump = 1.5f;         // places among the scales
+constexpr std::size_t kShortest = 5;  // samples; fewer are noise
+constexpr float kJump = 1.5f;  // in scale between neighbours, steps of the scale space
 
 }  // namespace
 

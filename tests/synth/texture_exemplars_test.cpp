@@ -114,7 +114,7 @@ TEST_F(Exemplars, ConstantHeight) {
 TEST_F(Exemplars, HeightsThatAreNoLand) {
     add("a.tif", rough(30, 30));
     options_.vertical_scale = 1e300;
-    expect_refused("a.tif: its heights go from -inf to inf m, which is no land");
+    expect_refused("a.tif: its heights go from -inf to inf m, which no land does");
     options_.vertical_scale = 1e-300;
     expect_refused("a.tif: all its heights are 0 m");
 }

@@ -14,10 +14,10 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr int kSmooth = 2;  // cells around that a cell's offset is averaged over
+constexpr int kSmooth = 2;  // radius over which a cell's offset is averaged, cells
 constexpr int kLevels = 6;
 
-// Texture's name for a gene's turn.
+// The texture method's orientation for a gene's turn.
 int orientation_of(const Gene& gene) {
     const Layout layout = layout_of(gene, 1, 1 << 20);
     const auto step_of = [](std::ptrdiff_t stride) {
@@ -31,8 +31,8 @@ int orientation_of(const Gene& gene) {
     return 0;
 }
 
-// In parts of `unit` metres, averaged over a cell's neighbours of the same gene: what a
-// gene's land is off changes slowly across it, so that its own shape stays.
+// Offsets in units of `unit` metres, averaged over a cell's neighbours of the same gene.
+// So the offset of a gene's land changes slowly, and the land keeps its own shape.
 Field<std::int32_t> smoothed_offsets(const Field<float>& offsets,
                                      const Field<int>& owners, double unit) {
     Field<std::int32_t> smoothed(offsets.width(), offsets.height());
@@ -56,20 +56,20 @@ Field<std::int32_t> smoothed_offsets(const Field<float>& offsets,
 
 struct ByTexture::Parts {
     std::shared_ptr<const texture::Database> database;
-    std::vector<int> exemplar_of;  // of each example of used types
-    std::vector<int> type_of;      // of each type of the library, texture's
+    std::vector<int> exemplar_of;  // texture's exemplar for each example of used types
+    std::vector<int> type_of;      // texture's type for each type of the library, or -1
     double spacing = 1.0;
 
     int level_of(double at) const {
         const int last = int(database->levels.size()) - 1;
         return std::clamp(int(std::lround(std::log2(at / spacing))), 0, last);
     }
-    // Of which slot's gene the land is at a place of the coarser level, in its cells,
-    // where the finest level has land of `type`.
+    // The slot whose gene made the land at (x, y), in cells of the coarser level, where
+    // the finest level has land of `type`.
     static int owner(const Encoded& coarse, double x, double y, int type);
-    // The land of a slot's gene there, which may lie beyond its exemplar.
+    // The position on the exemplar of a gene's land at (x, y), which may lie outside it.
     texture::Spot land_of(const Encoded& coarse, int slot, double x, double y) const;
-    // Origins and offsets of a level's cells, all of them pinned.
+    // The origins and offsets of a level's cells, all of which are pinned.
     texture::PinnedRegion start(const Encoded& coarse, const texture::Window& window,
                                 const Field<std::uint8_t>& types) const;
 };
@@ -118,7 +118,7 @@ texture::Spot ByTexture::Parts::land_of(const Encoded& coarse, int slot, double 
     const auto& s = grid.slots[std::size_t(slot)];
     const Gene& gene = coarse.genes->gene(slot);
     const Sample& sample = coarse.samples->all[std::size_t(gene.sample)];
-    // From the gene's middle, where turns leave it.
+    // Relative to the gene's centre, which turns leave in place.
     const double dx = x - (s.column * grid.step() + 0.5 * grid.side),
                  dy = y - (s.row * grid.step() + 0.5 * grid.side);
     const int orientation = orientation_of(gene);
@@ -145,10 +145,11 @@ texture::PinnedRegion ByTexture::Parts::start(const Encoded& coarse,
     Field<float> offsets(window.width, window.height);
     parallel_for(window.height, 8, [&](int row) {
         for (int column = 0; column < window.width; ++column) {
-            // In cells of the genes' level; beyond the land what its border goes on with.
+            // In cells of the genes' level. Beyond the land its border's genes are
+            // continued.
             const double x = (window.x + column + 0.5) * cell / own,
                          y = (window.y + row + 0.5) * cell / own;
-            // The type there on the finest level, which boundaries follow best.
+            // The type there on the finest level, which follows boundaries best.
             const int fx = std::clamp(int(x * own / spacing), 0, types.width() - 1),
                       fy = std::clamp(int(y * own / spacing), 0, types.height() - 1);
             const int slot = owner(coarse, x, y, types(fx, fy));

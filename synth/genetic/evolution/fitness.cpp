@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kQuarter = 0.25;  // docs/papers.md, Saunders 2006, 2
 constexpr double kHalf = 0.5;
-constexpr double kLevel = 0.05;  // of a type's slopes: land so flat faces nowhere
+constexpr double kLevel = 0.05;  // share of a type's slopes: flatter land faces nowhere
 constexpr std::array<statistics::Quantity, 3> kJudged = {
     statistics::Quantity::kElevation, statistics::Quantity::kSlope,
     statistics::Quantity::kCurvature};
@@ -21,7 +21,7 @@ double gaussian(double difference, double deviation) {
                     (deviation * deviation + 1e-12));  // eq. IV.5
 }
 
-// Where the thirds of a chunk begin; the same from both sides, for mirrored ones.
+// Where the thirds of a chunk begin. They are symmetric, for mirrored chunks.
 std::array<int, 4> thirds(int side) {
     const int first = std::max(1, int(std::lround(side / 3.0)));
     return {0, first, std::max(first + 1, side - first), side};
@@ -60,7 +60,7 @@ void add_powers(std::array<double, 4>& powers, double value) {
     powers[2] += square * value, powers[3] += square * square;
 }
 
-// Slope as rise over run, curvature as the Laplacian in 1/m.
+// Slope is rise over run, curvature the Laplacian in 1/m.
 void add_cell(Fitness::Sums& sums, double h, double west, double east, double north,
               double south, double spacing, double middle) {
     const double gx = (east - west) / (2.0 * spacing),
@@ -85,7 +85,7 @@ statistics::Statistics statistics_of(double n, const std::array<double, 4>& powe
         d - 4.0 * mean * c + 6.0 * mean * mean * b - 3.0 * mean * mean * mean * mean;
     s.mean = mean + origin, s.deviation = std::sqrt(m2);
     if (!(s.deviation > 1e-9 * std::abs(s.mean) + 1e-15)) return s;
-    // Of so many cells k-statistics are the moments (eq. III.5 without their n - 1).
+    // With so many cells the k-statistics are the moments (eq. III.5 without n - 1).
     s.skewness = m3 / std::pow(m2, 1.5), s.kurtosis = m4 / (m2 * m2) - 3.0;
     return s;
 }
@@ -303,7 +303,7 @@ Fitness::Sums Fitness::sums(const Chromosome& chromosome, int block) const {
     const int x0 = column * step, y0 = row * step;
     const int x1 = column + 1 < grid_->columns ? x0 + step : grid_->width,
               y1 = row + 1 < grid_->rows ? y0 + step : grid_->height;
-    // With the cells around, for slopes.
+    // Including the surrounding cells, for slopes.
     const int left = std::max(0, x0 - 1), right = std::min(grid_->width, x1 + 1),
               top = std::max(0, y0 - 1), bottom = std::min(grid_->height, y1 + 1);
     const int w = right - left;

@@ -10,7 +10,7 @@ namespace {
 
 // Bits of Gene::turn.
 constexpr int kSwapped = 1, kWestward = 2, kNorthward = 4;
-constexpr double kFade = 1.5;  // cells: how far types reach into each other
+constexpr double kFade = 1.5;  // cells: how far types fade into each other
 constexpr float kNothing = 0.01f;
 
 }  // namespace

@@ -23,7 +23,8 @@ Field<std::uint8_t> types_of(const Regions& regions) {
     return types;
 }
 
-// The widest gene, up to the one asked for, that every type has room to choose.
+// The widest gene, at most the requested one, for which every type has enough positions
+// to choose from.
 int side_of(const LevelSamples& samples, const Regions& regions, int asked) {
     int side = asked;
     for (const int type : regions.types) {
@@ -37,7 +38,7 @@ int side_of(const LevelSamples& samples, const Regions& regions, int asked) {
     return std::max(side, kLeastSide);
 }
 
-// Samples that no gene fits into are no use.
+// Removes samples that are too small for a gene.
 LevelSamples fitting(LevelSamples samples, int side) {
     for (auto& own : samples.of_type)
         std::erase_if(own, [&](int index) {
@@ -54,8 +55,8 @@ struct Before {
     std::unique_ptr<Chromosome> genes;  // null where texture made the level
 };
 
-// For each gene the one that goes on with the land which the coarser level has there
-// (across levels: its VII.9).
+// For each slot the gene that continues the coarser level's land there (coherence across
+// levels, a wish of section VII.9).
 std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
                                                  const LevelSamples& samples,
                                                  const Before& before, int ratio) {
@@ -83,7 +84,7 @@ std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
         if (found == index_of.end()) continue;
         gene.sample = found->second;
         const Sample& sample = samples.all[std::size_t(gene.sample)];
-        // A model read smaller is other land than on the level before.
+        // A model that is read smaller has other land here than on the level before.
         if (sample.smaller || std::min(sample.width(), sample.height()) < grid.side)
             continue;
         gene = kept_inside(gene, grid.side, sample);
@@ -93,7 +94,7 @@ std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
     return inherited;
 }
 
-// The coarser level's land stays as it was (section IV.3.3.6).
+// Makes the means of the finer land equal to the coarser level's land (section IV.3.3.6).
 void conform(Field<float>& heights, const Field<float>& coarse, int times) {
     Field<float> off = coarser(heights, times);
     for (std::size_t i = 0; i < off.size(); ++i) off[i] = coarse[i] - off[i];
@@ -103,8 +104,8 @@ void conform(Field<float>& heights, const Field<float>& coarse, int times) {
 
 double seam_energy_of(const Field<float>& h, const GeneGrid& grid, const Chromosome& c,
                       const Field<std::uint8_t>& types) {
-    // Bends east and south of each cell, by whether a seam lies there; a type at a time,
-    // as some bend more than others.
+    // Compares the bends to the east and south of each cell where there is a seam and
+    // where there is none; for each type separately, as some bend more than others.
     double weighted = 0.0, seams = 0.0;
     for (std::size_t layer = 0; layer < grid.types.size(); ++layer) {
         double at = 0.0, inside = 0.0;
@@ -145,7 +146,7 @@ double seam_energy_of(const Field<float>& h, const GeneGrid& grid, const Chromos
 // Makes the levels of a height field one after another, coarse to fine.
 class LevelBuilder {
   public:
-    // All must outlive it.
+    // The arguments must outlive it.
     LevelBuilder(int ratio, const EvolutionOptions& options,
                  const PlacedFeatures& features, std::uint64_t seed, Progress& progress)
         : ratio_(ratio),
@@ -154,8 +155,8 @@ class LevelBuilder {
           seed_(seed),
           progress_(progress) {}
 
-    // By the genetic algorithm: the base level about its regions' heights, a finer one as
-    // detail on the level before.
+    // Makes a level by the genetic algorithm: the base level around the heights of its
+    // regions, any other as detail on the level before.
     void evolve(std::size_t level, const LevelSamples& samples, const Regions& regions) {
         const bool is_base = done_.empty();
         const int side = side_of(samples, regions, options_.gene);
@@ -191,7 +192,7 @@ class LevelBuilder {
                    std::make_unique<Chromosome>(std::move(result.best))};
     }
 
-    // By texture, from the last level made by genes down to this one at once.
+    // Makes a level by texture, directly from the last one that was made by genes.
     void refine(std::size_t level, double spacing, const Regions& regions,
                 const ByTexture& texture) {
         LevelDone now;
@@ -219,7 +220,7 @@ class LevelBuilder {
         if (!before_.genes) return std::vector<std::optional<Gene>>(grid.slots.size());
         return inherited_genes(grid, samples, before_, ratio_);
     }
-    // Chunks about their type's mean, and the slopes between regions.
+    // Adds the chunks, which are relative to their type's mean, to the regions' heights.
     static void lay_base(Field<float>& heights, const Base& base) {
         for (std::size_t i = 0; i < heights.size(); ++i)
             heights[i] = base.pattern[i] + base.own[i] * heights[i];

@@ -17,25 +17,25 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr int kNobody = -1;
-constexpr double kNarrow = 4.0;  // cells: no gene could show what a type is like
+constexpr double kNarrow = 4.0;  // cells: too narrow for a gene to show the type
 
 int type_called(const LibraryOptions& library, const std::string& name) {
     const auto found = std::ranges::find(library.types, name, &TypeOptions::name);
     return found == library.types.end() ? kNobody : int(found - library.types.begin());
 }
 
-// Cells whose middles are inside an odd number of outlines.
+// Calls put(column, row) for cells whose centres are inside an odd number of outlines.
 void fill(const Drawn& drawn, const Extent& extent, const auto& put) {
     std::vector<std::vector<double>> crossings(std::size_t(extent.rows));
     const double s = extent.spacing, depth = extent.depth();
-    // The first of `cells` whose middle is not before `at`.
+    // The first cell whose centre is not before `at`, at most `cells`.
     const auto first_from = [](double at, int cells) {
         return int(std::clamp(std::ceil(at), 0.0, double(cells)));
     };
     for (const auto& outline : drawn.outlines)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
-            // Rows from the north.
+            // In rows, which count from the north.
             a[1] = (depth - a[1]) / s - 0.5, b[1] = (depth - b[1]) / s - 0.5;
             if (a[1] > b[1]) std::swap(a, b);
             const int last = first_from(b[1], extent.rows);
@@ -59,7 +59,7 @@ std::string percent(std::size_t cells, std::size_t of) {
     return fmt::format("{:.2g} %", 100.0 * double(cells) / double(of));
 }
 
-// The region that each cell is of, kNobody in gaps.
+// The region of each cell, kNobody in gaps.
 Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
                      const Extent& extent, Progress& progress) {
     Field<int> owners(extent.columns, extent.rows, kNobody);
@@ -71,7 +71,7 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
             if (owner != kNobody) ++overlaps[{owner, int(r)}];
             owner = int(r), ++own[r];
         });
-    // One within another, as an island in the sea, is meant.
+    // A region inside another, like an island in the sea, is intended.
     for (const auto& [pair, cells] : overlaps)
         if (cells < own[std::size_t(pair.second)])
             progress.warn(fmt::format("map: '{}' lies over '{}' on {} of the land",
@@ -81,8 +81,9 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
     return owners;
 }
 
-// Each cell without a region goes to the nearest one: labels spread in sweeps with the
-// cell they came from (Danielsson 1980).
+// Gives each cell without a region to the nearest region. Labels spread in sweeps, each
+// with the cell it came from (Danielsson 1980). OpenCV's distanceTransform gives labels
+// with an approximate distance only, so borders would move.
 void close_gaps(Field<int>& owners, Progress& progress) {
     const auto gaps = std::size_t(std::ranges::count(owners, kNobody));
     if (gaps == 0) return;
@@ -127,7 +128,8 @@ void add_transitions(Field<std::uint8_t>& types, const LibraryOptions& library,
                   b = type_called(library, transition.b),
                   between = type_called(library, transition.type);
         if (a < 0 || b < 0 || between < 0) continue;
-        // Cells of either that have the other beside them, and what is near those.
+        // Marks cells of either type beside one of the other; what is near them becomes
+        // the type between.
         Field<std::uint8_t> away(types.width(), types.height(), 1);
         bool any = false;
         const auto touch = [&](int x, int y, int i, int j) {
@@ -148,7 +150,7 @@ void add_transitions(Field<std::uint8_t>& types, const LibraryOptions& library,
     }
 }
 
-// Connected parts of land of one type, numbered by their first cells, row by row.
+// Connected components of land of one type, numbered by their first cells, row by row.
 struct Components {
     Field<int> at;
     std::vector<MapRaster::Found> all;
@@ -169,7 +171,7 @@ Components components_of(const Field<std::uint8_t>& types) {
                     components.at(x, y) = labels_before + labels.at<int>(y, x);
         labels_before += count;
     }
-    // OpenCV numbers the parts of each type by themselves, in an order of its own.
+    // OpenCV numbers the components of each type separately and in its own order.
     std::vector<int> numbers(std::size_t(labels_before), kNobody);
     for (int y = 0; y < types.height(); ++y)
         for (int x = 0; x < types.width(); ++x) {
@@ -188,7 +190,7 @@ Components components_of(const Field<std::uint8_t>& types) {
     return components;
 }
 
-// Specks that a refined boundary cuts off go to the land around them.
+// Gives specks that a refined boundary cuts off to the land around them.
 void drop_specks(Field<std::uint8_t>& types) {
     const Components components = components_of(types);
     constexpr std::size_t kSpeck = 4;  // cells
@@ -215,7 +217,7 @@ std::string some_of(const std::vector<std::string>& all) {
                        more);
 }
 
-// Which of the drawn regions each component is of, most of it.
+// Names each component after the drawn region that most of it belongs to.
 void name_components(Components& components, const Field<int>& owners,
                      const MapOptions& map, const LibraryOptions& library,
                      Progress& progress) {
@@ -258,8 +260,8 @@ void name_components(Components& components, const Field<int>& owners,
         progress.note(fmt::format("map: {} regions have no cell of their own here: {}",
                                   vanished.size(), some_of(vanished)));
     if (!split.empty())
-        progress.note(fmt::format("map: {} regions fall apart here: {}", split.size(),
-                                  some_of(split)));
+        progress.note(fmt::format("map: {} regions fall into several parts here: {}",
+                                  split.size(), some_of(split)));
 }
 
 }  // namespace
@@ -303,7 +305,8 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
         const Field<float> inside = cells_inside(mask, true);
         for (std::size_t i = 0; i < mask.size(); ++i)
             if (mask[i]) {
-                // From a cell's middle to the side of one of another type.
+                // The distance from the cell's centre to the side of a cell of another
+                // type.
                 raster.distances[i] = float((inside[i] - 0.5) * extent.spacing);
                 float& most = widest[std::size_t(components.at[i])];
                 most = std::max(most, inside[i]);
