@@ -9,7 +9,7 @@
 namespace cydonia::statistics {
 namespace {
 
-constexpr std::size_t kLeast = 200;  // samples of one height in a body of water
+constexpr std::size_t kLeastSamples = 200;  // samples of one height in a body of water
 constexpr std::size_t kBroad = 64;   // of them whose surroundings have that height, too
 constexpr int kRadius = 2;           // samples: how far the surroundings reach
 constexpr float kLevel =
@@ -52,7 +52,7 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
             if (y > 0) visit(i - std::size_t(w));
             if (y + 1 < h) visit(i + std::size_t(w));
         }
-        if (area.size() >= kLeast && broad >= kBroad)
+        if (area.size() >= kLeastSamples && broad >= kBroad)
             for (const std::size_t i : area) water[i] = 1;
     }
     return water;
