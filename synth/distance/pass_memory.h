@@ -31,7 +31,7 @@ class PassMemory {
     std::string taken_bytes();
 
   private:
-    void index_known();
+    void index_known(std::string_view body);
     std::uint64_t key_of(int feature) const;
     std::vector<std::uint8_t> own_sides(int feature) const;
     std::optional<LeastCost::Trace> trace_of(int feature) const;
