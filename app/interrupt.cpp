@@ -1,5 +1,6 @@
 #include "app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <initializer_list>
@@ -7,7 +8,9 @@
 namespace cydonia {
 namespace {
 
-volatile std::sig_atomic_t g_signal = 0;
+// Written by the signal handler and read by every thread that reports progress.
+std::atomic<int> g_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not lock");
 
 void remember(int signal) { g_signal = signal; }
 

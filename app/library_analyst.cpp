@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/pipeline/cache.h"
+#include "app/pipeline/key.h"
 #include "app/pipeline/output_folder.h"
 #include "field/dem.h"
 #include "field/files.h"
@@ -110,13 +110,11 @@ Analyst::Analyst(fs::path folder, Console& console)
 }
 
 fs::path Analyst::file_of(const char* what, const Example& example, double level) const {
-    const auto& w = example.window;
-    return folder_ /
-           fmt::format("{:016x}.json", hash_text(fmt::format(
-                                           "{} {} {:016x} {} {} {} {} {} {} {} {}", what,
-                                           genetic::kAnalysisVersion, example.source.hash,
-                                           w[0], w[1], w[2], w[3], level, example.scale,
-                                           example.vertical_scale, example.raise)));
+    KeyBuilder key(what);
+    key.add(genetic::kAnalysisVersion).add(example.source.hash);
+    for (const auto side : example.window) key.add(side);
+    key.add(level).add(example.scale).add(example.vertical_scale).add(example.raise);
+    return folder_ / (hex(key.key()) + ".json");
 }
 
 const Analyst::Model& Analyst::model_of(const Source& source) {

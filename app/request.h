@@ -41,22 +41,11 @@ struct Request {
     std::optional<std::array<int, 2>> tile = {};
 };
 
-// How far to go; each goal includes those before it, but what films frames of its own
-// leaves the stills and one another alone. Assets are what all frames draw.
-enum class Goal {
-    kTerrain,
-    kCheck,
-    kReport,
-    kAssets,
-    kEmit,
-    kFrames,
-    kSweep,
-    kTurntable,
-    kFilm
-};
+// What a command makes; see targets_of(). A goal is a set of steps, no place in an order.
+enum class Goal { kTerrain, kCheck, kReport, kEmit, kFrames, kSweep, kTurntable, kFilm };
 
 std::string_view name_of(render::Quality quality);
 std::string_view name_of(render::Style style);
-std::string_view name_of(Goal goal);  // the command that reaches it
+std::string_view name_of(Goal goal);  // of the command
 
 }  // namespace cydonia

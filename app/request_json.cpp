@@ -50,9 +50,8 @@ ExportRequest export_of(const Json& json) {
 }  // namespace
 
 std::string_view name_of(Goal goal) {
-    constexpr std::string_view kNames[] = {"synth",  "check",     "report",
-                                           "assets", "emit",      "render",
-                                           "sweep",  "turntable", "film"};
+    constexpr std::string_view kNames[] = {"synth",  "check", "report",    "emit",
+                                           "render", "sweep", "turntable", "film"};
     return kNames[static_cast<int>(goal)];
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/export/export.h"
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
@@ -22,7 +21,7 @@ struct SolidRequest {
 };
 
 std::string file_name(const Job& job, MeshFormat format) {
-    return fmt::format("export/{}.{}", job.spec.name, name_of(format));
+    return fmt::format("export/{}.{}", job.spec->name, name_of(format));
 }
 
 Json lamps_of(const Terrain& terrain, const SolidOptions& options) {
@@ -35,8 +34,9 @@ Json lamps_of(const Terrain& terrain, const SolidOptions& options) {
     return lamps;
 }
 
-Made make_solid(Job& job, const SolidRequest& asked) {
-    const Terrain& terrain = job.land.finished();
+StepResult make_solid(const Job& job, const SolidRequest& asked) {
+    const auto land = job.land.finished();
+    const Terrain& terrain = *land;
     const Solid solid = solid_of(terrain, asked.options);
     const std::string file = file_name(job, asked.format);
     make_folder(job.folder / "export");
@@ -100,30 +100,33 @@ void say_its_lamps(const Json& result, const SolidOptions& options, Progress& pr
     }
 }
 
-std::string text_of(const SolidOptions& o) {
-    return fmt::format("{} {} {} {}", o.size, o.base, o.scale_z, o.samples);
-}
-
 }  // namespace
 
-Step solid_step(Job& job) {
+Step solid_step(const Job& job) {
     const ExportRequest& request = *job.request.export_as;
     SolidRequest asked{std::get<MeshFormat>(request.format), request.solid};
     asked.options.samples = samples_of(request, kSamples, kMostSolidSamples);
     expect_in_range(asked.options);
-    return {fmt::format("export {}", name_of(asked.format)),
-            Goal::kTerrain,
-            memory::of_solid(job.cells(), asked.options.samples),
-            [&job, asked] {
-                return hash_text(fmt::format("{:016x} {:016x} {} {}", job.land.key(),
-                                             job.program, job.spec.name,
-                                             text_of(asked.options)));
-            },
-            [&job, asked] { return make_solid(job, asked); },
-            [&job, asked](const Json& result) {
-                say_its_size(result, asked, job);
-                say_its_lamps(result, asked.options, job.progress);
-            }};
+    const auto key = [&job, options = asked.options] {
+        return KeyBuilder("solid")
+            .add(job.program)
+            .add(job.land.key())
+            .add(job.spec->name)
+            .add(options.size)
+            .add(options.base)
+            .add(options.scale_z)
+            .add(options.samples)
+            .key();
+    };
+    return {.id = export_file_id(job),
+            .memory = memory::of_solid(job.cells(), asked.options.samples),
+            .key = key,
+            .run = [&job, asked](Graph&) { return make_solid(job, asked); },
+            .gate =
+                [&job, asked](const Json& result) {
+                    say_its_size(result, asked, job);
+                    say_its_lamps(result, asked.options, job.progress);
+                }};
 }
 
 }  // namespace cydonia

@@ -7,11 +7,12 @@
 #include "app/farm/record.h"
 #include "app/farm/scripts.h"
 #include "app/farm/slurm.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/pipeline.h"
+#include "app/pipeline/steps.h"
 #include "app/sequence/filming.h"
 #include "app/sequence/plan.h"
+#include "app/sequence/steps.h"
 #include "app/threads.h"
 #include "field/error.h"
 #include "field/files.h"
@@ -29,14 +30,8 @@ Kind kind_of(const FarmRequest& asked, const Job& job) {
         return camera.kind == render::CameraOptions::Kind::kPath;
     };
     const bool moves =
-        job.scene.varies() || std::ranges::any_of(job.spec.render.cameras, flies);
+        job.scene.varies() || std::ranges::any_of(job.spec->render.cameras, flies);
     return moves ? Kind::kFilm : Kind::kTurntable;
-}
-
-Kind kind_of(Goal goal) {
-    for (const Kind kind : {Kind::kDay, Kind::kTurntable})
-        if (goal_of(kind) == goal) return kind;
-    return Kind::kFilm;
 }
 
 // So that no node does a lot in vain when it dies, nor starts for a moment's work.
@@ -66,23 +61,20 @@ std::vector<Request::Frames> chunks_of(const std::vector<std::size_t>& frames,
     return chunks;
 }
 
-bool has_land(const std::vector<Step>& steps, const Job& job) {
-    return std::ranges::all_of(steps, [&](const Step& step) {
-        return step.goal > Goal::kAssets || step.goal == Goal::kReport ||
-               job.ledger.finished(step.name, step.key());
-    });
+// Whether all is there that frames are traced from.
+bool has_land(Graph& graph) {
+    return graph.finished(kAssetsStep) && graph.finished(kExportStep);
 }
 
-std::uint64_t most_memory(const std::vector<Step>& steps, Goal from, Goal to) {
+std::uint64_t most_memory(const std::vector<const Step*>& steps) {
     std::uint64_t most = 0;
-    for (const Step& step : steps)
-        if (from <= step.goal && step.goal <= to) most = std::max(most, step.memory);
+    for (const Step* step : steps) most = std::max(most, step->memory);
     return most;
 }
 
 // Once the land is made: before, none is traced, and a day's suns are not known.
-std::vector<std::size_t> missing(Kind kind, bool land, int count, Job& job) {
-    if (land) return frames_to_trace(job, plan_of(kind, job).sequence);
+std::vector<std::size_t> missing(Kind kind, int count, const Job& job, Graph& graph) {
+    if (has_land(graph)) return frames_to_trace(job, plan_of(kind, job).sequence, graph);
     if (kind != Kind::kDay) {
         const Sequence sequence = plan_of(kind, job).sequence;
         auto frames = frames_to_make(sequence, job.request);
@@ -109,7 +101,7 @@ Request settled(Request request, const Job& job, Kind kind, int count) {
     request.quiet = request.dry_run = false;
     if (request.frames && request.frames->first == 0 && request.frames->last + 1 == count)
         request.frames.reset();
-    if (!job.spec.frames.count && kind != Kind::kFilm)
+    if (!job.spec->frames.count && kind != Kind::kFilm)
         request.overrides.push_back(fmt::format("frames.count={}", count));
     return request;
 }
@@ -157,18 +149,20 @@ void hand_in(const std::vector<Script>& scripts, const FarmPlan& plan) {
     }
 }
 
-FarmPlan farm_plan(const FarmRequest& asked, Job& job) {
+FarmPlan farm_plan(const FarmRequest& asked, const Job& job) {
     const Kind kind = kind_of(asked, job);
     const int count = check_plan(kind, job);
-    const std::vector<Step> steps = steps_of(job);
+    Ledger ledger(job.folder);
+    Graph graph(steps_of(job), ledger);
+    refuse_equal_outputs(graph.closure(names_taken(goal_of(kind), job)));
 
     FarmPlan plan;
     plan.program = fs::read_symlink("/proc/self/exe");
     plan.folder = fs::current_path();
-    plan.name = job.spec.name;
+    plan.name = job.spec->name;
     plan.goal = goal_of(kind);
-    plan.land = !has_land(steps, job);
-    const auto frames = missing(kind, !plan.land, count, job);
+    plan.land = !has_land(graph);
+    const auto frames = missing(kind, count, job, graph);
     const int chunk =
         std::max(asked.chunk.value_or(chunk_of(job.request.quality)),
                  static_cast<int>((frames.size() + kMostTasks - 1) / kMostTasks));
@@ -178,11 +172,14 @@ FarmPlan farm_plan(const FarmRequest& asked, Job& job) {
             "{} runs of missing frames are more than the {} tasks of an array",
             plan.chunks.size(), kMostTasks);
     plan.minutes = asked.minutes.value_or(minutes_of(job.request.quality, chunk));
-    plan.land_memory = most_memory(steps, Goal::kTerrain, Goal::kEmit);
+    plan.land_memory = most_memory(graph.closure(targets_of(Goal::kEmit, job)));
     // Ours, and POV-Ray's beside it.
-    plan.frame_memory =
-        memory::of_emit(job.drawn_cells()) + most_memory(steps, plan.goal, plan.goal);
-    plan.collect_memory = most_memory(steps, Goal::kTerrain, plan.goal);
+    plan.frame_memory = memory::of_emit(job.drawn_cells());
+    std::uint64_t own = 0;
+    for (const std::string& id : sequence_targets(kind, job))
+        own = std::max(own, graph.step(id).memory);
+    plan.frame_memory += own;
+    plan.collect_memory = most_memory(graph.closure(targets_of(plan.goal, job)));
     plan.request = settled(asked.request, job, kind, count);
     return plan;
 }
@@ -201,9 +198,12 @@ std::vector<std::size_t> still_missing(const Request& request, Goal goal,
                                        Console& console) {
     std::vector<std::size_t> frames;
     with_threads(request.threads, [&] {
-        Job job(request, console);
-        const int count = check_plan(kind_of(goal), job);
-        frames = missing(kind_of(goal), has_land(steps_of(job), job), count, job);
+        const Job job(request, console);
+        const Kind kind = sequence_of(goal).value();
+        const int count = check_plan(kind, job);
+        Ledger ledger(job.folder);
+        Graph graph(steps_of(job), ledger);
+        frames = missing(kind, count, job, graph);
     });
     return frames;
 }
@@ -244,7 +244,7 @@ std::string state_of(const std::vector<slurm::Task>& tasks, const std::string& i
 
 void farm(const FarmRequest& asked, Console& console) {
     with_threads(asked.request.threads, [&] {
-        Job job(asked.request, console);
+        const Job job(asked.request, console);
         const FarmPlan plan = farm_plan(asked, job);
         const std::vector<Script> scripts = scripts_of(plan);
         if (asked.request.dry_run) return print(scripts, plan);

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <vector>
-
-#include "app/pipeline/job.h"
+#include "app/pipeline/steps.h"
 
 namespace cydonia {
 
-// report.html: one page of what those steps made, as far as they are finished. Made again
-// when any of it has changed.
-Step report_step(Job& job, std::vector<Step> shown);
+// report.html: one page of what the steps that it shows have made, as far as they are
+// finished. Made again when any of it has changed.
+Step report_step(const Job& job);
 
 }  // namespace cydonia

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/pipeline/job.h"
+#include "app/pipeline/steps.h"
 
 namespace cydonia {
 
@@ -13,10 +13,10 @@ void check_request(const Job& job, Goal goal);
 
 // Makes the tiles that are not there yet and puts all together: terrain.tif, terrain.exr
 // and a picture. In place of all other steps.
-Step tiles_step(Job& job);
+Step tiles_step(const Job& job);
 
 // The one tile of the request; other processes may be at work on others.
-void make_tile(Job& job);
+void make_tile(const Job& job);
 
 // "16 x 16 tiles, 3 of 256 made".
 std::string tiles_text(const Job& job);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/pipeline/cache.h"
+#include "app/pipeline/key.h"
 
 namespace fs = std::filesystem;
 

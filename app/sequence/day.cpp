@@ -58,7 +58,7 @@ double lowest_sun(const std::vector<ShadowImage>& images) {
                           : std::min(kLowest, 0.5 * images.front().sun.elevation);
 }
 
-// From the first hour to the last, through the hour of the key shot.
+// From the first hour to the last, through the hour of the key frame.
 std::vector<double> hours_of(const Hours& day, double key_hour, int key, int count,
                              config::FramesSpec::Pace pace) {
     // The sun slows down to the image and speeds up from it: 7 frames of 48 see it within
@@ -222,7 +222,7 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
     const int key_shot = key_frame(hours, key.hour, count);
     Sequence sequence{.name = name_of(Kind::kDay),
                       .camera = camera.name,
-                      .shots = {},
+                      .frames = {},
                       .exposed_by = {static_cast<std::size_t>(key_shot)},
                       .exposure = exposure_under(course.path, key.hour),
                       .rate = frames.rate,
@@ -230,20 +230,20 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
                       .hold = glimpsed ? frames.hold : 0.0};
     const auto pace = glimpsed ? frames.pace : config::FramesSpec::Pace::kEven;
     for (const double hour : hours_of(hours, key.hour, key_shot, count, pace)) {
-        Shot shot{camera, clock_text(hour) + course.clock};
-        shot.camera.name =
-            frame_name(sequence.name, static_cast<int>(sequence.shots.size()));
-        shot.camera.sun = course.path(hour);
-        sequence.shots.push_back(std::move(shot));
+        SequenceFrame frame{camera, clock_text(hour) + course.clock};
+        frame.camera.name =
+            frame_name(sequence.name, static_cast<int>(sequence.frames.size()));
+        frame.camera.sun = course.path(hour);
+        sequence.frames.push_back(std::move(frame));
     }
     if (glimpsed && key.off < kThere)
-        sequence.shots.at(static_cast<std::size_t>(key_shot)).camera.sun =
+        sequence.frames.at(static_cast<std::size_t>(key_shot)).camera.sun =
             images.front().sun;
 
     Day day{std::move(sequence), {course_text(course, hours, frames, images)}, true};
     day.appears = images.empty() || key.off <= kNear;
     for (const ShadowImage& image : images)
-        day.news.push_back(
+        day.messages.push_back(
             appearance(image, course, nearest(course.path, image.sun, hours), frames));
     return day;
 }

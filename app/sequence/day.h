@@ -13,7 +13,7 @@ namespace cydonia {
 struct Day {
     Sequence sequence;
     // What the user should read: when each image appears, or why not and what to change.
-    std::vector<std::string> news;
+    std::vector<std::string> messages;
     bool appears = true;  // the first image, while the sun is up
 };
 

@@ -23,11 +23,14 @@ struct Reel {
     std::vector<std::string> frames;  // files in the output folder
 };
 
+std::string reel_name(const std::string& sequence, const Job& job) {
+    if (!job.request.preview) return sequence;
+    return sequence + '-' + std::string(name_of(*job.request.preview));
+}
+
 Reel reel_of(const Job& job, const Sequence& sequence) {
-    Reel reel{sequence.name, {}};
-    if (job.request.preview)
-        reel.name += '-' + std::string(name_of(*job.request.preview));
-    for (std::size_t i = 0; i < sequence.shots.size(); ++i)
+    Reel reel{reel_name(sequence.name, job), {}};
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i)
         reel.frames.push_back("frames/" + frame_name(reel.name, static_cast<int>(i)) +
                               ".png");
     return reel;
@@ -51,14 +54,13 @@ void write_sheet(const Job& job, const Reel& reel, const std::string& file) {
 
 }  // namespace
 
-Made encode(const Sequence& sequence, Job& job) {
+StepResult encode(const Sequence& sequence, const Job& job) {
     const Reel reel = reel_of(job, sequence);
     const render::Film film{
         job.folder / "frames", reel.name,      static_cast<int>(reel.frames.size()),
         sequence.rate,         sequence.still, sequence.hold};
-    Made made;
-    made.outputs.push_back("frames/" + reel.name + ".jpg");
-    write_sheet(job, reel, made.outputs.back());
+    StepResult made{files_of_reel(sequence.name, job)};
+    write_sheet(job, reel, made.outputs.front());
     // Small films take less than a core each.
     Share share(kVideos.size(), job.progress);
     tbb::parallel_for(std::size_t{0}, kVideos.size(), [&](std::size_t i) {
@@ -66,9 +68,14 @@ Made encode(const Sequence& sequence, Job& job) {
         render::encode_video(film, job.folder / "frames" / (reel.name + kVideos[i]),
                              progress);
     });
-    for (const char* extension : kVideos)
-        made.outputs.push_back("frames/" + reel.name + extension);
     return made;
+}
+
+std::vector<std::string> files_of_reel(const std::string& sequence, const Job& job) {
+    const std::string stem = "frames/" + reel_name(sequence, job);
+    std::vector<std::string> files{stem + ".jpg"};
+    for (const char* extension : kVideos) files.push_back(stem + extension);
+    return files;
 }
 
 }  // namespace cydonia

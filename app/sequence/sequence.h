@@ -11,9 +11,9 @@
 namespace cydonia {
 
 // One picture of a sequence.
-struct Shot {
+struct SequenceFrame {
     render::CameraOptions camera;  // its name is the frame's
-    std::string when;              // for the frame's metadata: "17:42 (UTC+2)"
+    std::string when = {};         // for the frame's metadata: "17:42 (UTC+2)"
     // The moments of its shutter, in whose mean it moves; none: all at once.
     std::vector<render::CameraOptions> moments = {};
     // Where the camera is a frame later, for motion vectors; none: where it is.
@@ -25,8 +25,8 @@ struct Shot {
 // Pictures in a row, and the video of them.
 struct Sequence {
     std::string name;    // "day": of the video, and of the frames "day-0001"
-    std::string camera;  // whose view all shots are
-    std::vector<Shot> shots;
+    std::string camera;  // whose view all frames are
+    std::vector<SequenceFrame> frames;
     // All frames get one exposure: the middle of what these would get by themselves.
     std::vector<std::size_t> exposed_by;
     double exposure = 0.0;  // EV, added to it
@@ -44,7 +44,5 @@ std::string name_of(Kind kind);  // "day", "turntable", "film"
 std::string frame_name(const std::string& sequence, int index);
 // Every tenth of so many: their exposures stand for all.
 std::vector<std::size_t> every_tenth(std::size_t count);
-// Throws bad_request where a camera of the scene has the name of a frame.
-void check_names(const config::SceneSpec& scene, const std::string& sequence, int count);
 
 }  // namespace cydonia

@@ -11,7 +11,7 @@ namespace cydonia {
 // The scene as its own clock goes: values with keys, a camera on its path.
 struct Timeline {
     Sequence sequence;
-    std::vector<std::string> news;  // what the user should read
+    std::vector<std::string> messages;  // what the user should read
 };
 
 // The scene over time.

@@ -86,7 +86,7 @@ struct FarmFilm : testing::Test {
     int recorded() const {
         return std::atoi(
             told("cat " + quoted(farm.string()) +
-                 "/.cache/steps/*.json 2> /dev/null | grep -c '\"trace turntable-'")
+                 "/.cache/steps/*.jsonl 2> /dev/null | grep -c '\"trace turntable-'")
                 .c_str());
     }
     void expect_the_films_equal(int frames) const {
