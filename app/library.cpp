@@ -13,7 +13,7 @@
 #include "config/reader/library.h"
 #include "field/error.h"
 #include "field/files.h"
-#include "synth/genetic/similarity.h"
+#include "synth/statistics/similarity.h"
 
 namespace fs = std::filesystem;
 

@@ -9,8 +9,8 @@
 #include "app/pipeline/output_folder.h"
 #include "field/dem.h"
 #include "field/files.h"
-#include "synth/genetic/segmentation.h"
-#include "synth/genetic/water.h"
+#include "synth/statistics/segmentation.h"
+#include "synth/statistics/water.h"
 
 namespace fs = std::filesystem;
 

@@ -9,8 +9,8 @@
 
 #include "app/console.h"
 #include "field/terrain.h"
-#include "synth/genetic/analysis.h"
 #include "synth/genetic/options.h"
+#include "synth/statistics/analysis.h"
 
 namespace cydonia {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "synth/genetic/similarity.h"
+#include "synth/statistics/similarity.h"
 
 namespace cydonia {
 

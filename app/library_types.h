@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/library_analyst.h"
-#include "synth/genetic/segmentation.h"
+#include "synth/statistics/segmentation.h"
 
 namespace cydonia {
 

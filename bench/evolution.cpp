@@ -22,8 +22,8 @@
 #include "config/reader/map.h"
 #include "field/dem.h"
 #include "field/random.h"
+#include "synth/genetic/evolution/samples.h"
 #include "synth/genetic/genetic.h"
-#include "synth/genetic/samples.h"
 
 using namespace cydonia;
 using namespace cydonia::genetic;

@@ -11,8 +11,8 @@
 
 #include "bench/measure.h"
 #include "field/noise.h"
-#include "synth/genetic/analysis.h"
-#include "synth/genetic/scale_space.h"
+#include "synth/statistics/analysis.h"
+#include "synth/statistics/scale_space.h"
 
 using namespace cydonia;
 using namespace cydonia::genetic;

@@ -25,9 +25,9 @@
 #include "field/files.h"
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/texture/database.h"
-#include "synth/texture/orientation.h"
-#include "synth/texture/synthesis.h"
+#include "synth/texture/database/database.h"
+#include "synth/texture/database/orientation.h"
+#include "synth/texture/synthesis/synthesis.h"
 
 using namespace cydonia;
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "synth/texture/places.h"
+#include "synth/texture/synthesis/places.h"
 
 namespace cydonia::bench {
 

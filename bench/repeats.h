@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field.h"
-#include "synth/texture/synthesis.h"
+#include "synth/texture/synthesis/synthesis.h"
 
 namespace cydonia::bench {
 

@@ -31,9 +31,9 @@
 #include "field/files.h"
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/texture/database.h"
-#include "synth/texture/patches.h"
-#include "synth/texture/synthesis.h"
+#include "synth/texture/database/database.h"
+#include "synth/texture/synthesis/patches.h"
+#include "synth/texture/synthesis/synthesis.h"
 
 using namespace cydonia;
 namespace fs = std::filesystem;

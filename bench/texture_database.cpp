@@ -14,7 +14,7 @@
 
 #include "field/dem.h"
 #include "field/error.h"
-#include "synth/texture/database.h"
+#include "synth/texture/database/database.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "bench/measure.h"
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/texture/constraint_errors.h"
+#include "synth/texture/constraints/constraint_errors.h"
 #include "synth/texture/maker.h"
 
 using namespace cydonia;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "field/image.h"
-#include "synth/genetic/height_field.h"
+#include "synth/genetic/evolution/height_field.h"
 
 namespace cydonia::genetic {
 

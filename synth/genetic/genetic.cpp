@@ -8,13 +8,13 @@
 
 #include "field/error.h"
 #include "field/random.h"
-#include "synth/genetic/analysis.h"
-#include "synth/genetic/by_texture.h"
+#include "synth/genetic/evolution/by_texture.h"
+#include "synth/genetic/evolution/height_field.h"
 #include "synth/genetic/explain.h"
-#include "synth/genetic/height_field.h"
-#include "synth/genetic/map.h"
+#include "synth/genetic/map/map.h"
 #include "synth/genetic/placed.h"
-#include "synth/genetic/similarity.h"
+#include "synth/statistics/analysis.h"
+#include "synth/statistics/similarity.h"
 
 namespace cydonia::genetic {
 namespace {

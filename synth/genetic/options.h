@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "field/source.h"
-#include "synth/texture/options.h"
+#include "synth/geometry/options.h"
 
 namespace cydonia::genetic {
 

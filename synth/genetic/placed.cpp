@@ -5,7 +5,7 @@
 
 #include "field/sample.h"
 #include "field/smoothstep.h"
-#include "synth/texture/geometry.h"
+#include "synth/texture/constraints/geometry.h"
 
 namespace cydonia::genetic {
 

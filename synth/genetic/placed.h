@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "synth/context.h"
-#include "synth/genetic/height_field.h"
-#include "synth/texture/options.h"
+#include "synth/genetic/evolution/height_field.h"
+#include "synth/geometry/options.h"
 
 namespace cydonia::genetic {
 

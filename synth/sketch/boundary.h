@@ -7,7 +7,7 @@
 
 #include "field/field.h"
 #include "field/progress.h"
-#include "synth/texture/shape.h"
+#include "synth/geometry/shape.h"
 
 namespace cydonia::sketch {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synth/texture/nearest.h"
+#include "synth/geometry/nearest.h"
 
 namespace cydonia::sketch {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field/field.h"
-#include "synth/texture/shape.h"
+#include "synth/geometry/shape.h"
 
 namespace cydonia::sketch {
 

@@ -7,7 +7,7 @@
 
 #include "field/length.h"
 #include "field/source.h"
-#include "synth/texture/options.h"
+#include "synth/geometry/options.h"
 
 namespace cydonia::sketch {
 

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "field/error.h"
+#include "synth/geometry/course.h"
+#include "synth/geometry/nearest.h"
 #include "synth/sketch/boundary.h"
 #include "synth/sketch/landform.h"
 #include "synth/sketch/stroke.h"
-#include "synth/texture/course.h"
-#include "synth/texture/nearest.h"
 
 namespace cydonia::sketch {
 namespace {

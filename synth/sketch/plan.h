@@ -7,10 +7,10 @@
 #include "field/field.h"
 #include "field/progress.h"
 #include "field/sample.h"
+#include "synth/geometry/ground.h"
 #include "synth/sketch/footprint.h"
 #include "synth/sketch/options.h"
 #include "synth/sketch/sight.h"
-#include "synth/texture/geometry.h"
 
 namespace cydonia::sketch {
 

@@ -6,7 +6,7 @@
 #include "field/error.h"
 #include "field/sample.h"
 #include "field/svg_camera.h"
-#include "synth/texture/plane.h"
+#include "synth/geometry/plane.h"
 
 namespace cydonia::sketch {
 namespace {

@@ -6,9 +6,9 @@
 #include "field/camera.h"
 #include "field/field.h"
 #include "field/progress.h"
+#include "synth/geometry/shape.h"
 #include "synth/sketch/options.h"
 #include "synth/sketch/stroke.h"
-#include "synth/texture/shape.h"
 
 namespace cydonia::sketch {
 

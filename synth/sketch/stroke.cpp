@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "field/error.h"
-#include "synth/texture/plane.h"
+#include "synth/geometry/plane.h"
 
 namespace cydonia::sketch {
 namespace {

@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "synth/context.h"
-#include "synth/texture/database.h"
-#include "synth/texture/geometry.h"
+#include "synth/texture/constraints/geometry.h"
+#include "synth/texture/database/database.h"
+#include "synth/texture/database/types.h"
 #include "synth/texture/options.h"
-#include "synth/texture/pasting.h"
-#include "synth/texture/synthesis.h"
+#include "synth/texture/synthesis/pasting.h"
+#include "synth/texture/synthesis/synthesis.h"
 #include "synth/texture/texture.h"
-#include "synth/texture/types.h"
 
 namespace cydonia::texture {
 

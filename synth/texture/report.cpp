@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "field/parallel.h"
-#include "synth/texture/constraint_errors.h"
-#include "synth/texture/depressions.h"
-#include "synth/texture/patches.h"
-#include "synth/texture/places.h"
-#include "synth/texture/types.h"
+#include "synth/hydrology/depressions.h"
+#include "synth/texture/constraints/constraint_errors.h"
+#include "synth/texture/database/types.h"
+#include "synth/texture/synthesis/patches.h"
+#include "synth/texture/synthesis/places.h"
 
 namespace cydonia::texture {
 namespace {

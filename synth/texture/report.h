@@ -4,7 +4,7 @@
 #include "synth/context.h"
 #include "synth/texture/maker.h"
 #include "synth/texture/options.h"
-#include "synth/texture/synthesis.h"
+#include "synth/texture/synthesis/synthesis.h"
 
 namespace cydonia::texture {
 

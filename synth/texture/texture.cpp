@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "field/strokes.h"
-#include "synth/texture/breach.h"
-#include "synth/texture/database_file.h"
-#include "synth/texture/keeping.h"
+#include "synth/hydrology/breach.h"
+#include "synth/texture/database/database_file.h"
 #include "synth/texture/maker.h"
-#include "synth/texture/places.h"
 #include "synth/texture/report.h"
+#include "synth/texture/synthesis/keeping.h"
+#include "synth/texture/synthesis/places.h"
 
 namespace cydonia::texture {
 namespace {

@@ -25,6 +25,10 @@ std::string method_folder(const std::string& path) {
     return end == std::string::npos ? "" : path.substr(0, end + 1);
 }
 
+// Rooms of what several methods use lie below them all.
+const std::vector<std::string> kRoomsBelow = {"synth/geometry/", "synth/hydrology/",
+                                              "synth/statistics/"};
+
 // Methods may use one another only downward.
 const std::map<std::string, std::vector<std::string>> kMethodsBelow = {
     {"synth/pareidolia/", {"synth/distance/"}},
@@ -32,11 +36,24 @@ const std::map<std::string, std::vector<std::string>> kMethodsBelow = {
     {"synth/genetic/", {"synth/texture/", "synth/detail/"}},
 };
 
+// The rooms of one method are used upward only, too: a map knows nothing of evolution.
+const std::map<std::string, std::vector<std::string>> kClosedTo = {
+    {"synth/genetic/map/", {"synth/genetic/evolution/", "synth/texture/"}},
+    {"synth/genetic/evolution/", {"synth/genetic/map/"}},
+    {"synth/texture/database/", {"synth/texture/synthesis/"}},
+    {"synth/texture/constraints/",
+     {"synth/texture/database/", "synth/texture/synthesis/"}},
+};
+
 bool synth_may_include(const std::string& file, const std::string& included) {
     if (starts_with_any(included, {"field/", "synth/context.h"})) return true;
     if (file == "synth/stage.h") return included.starts_with("synth/");
     const std::string folder = method_folder(file);
     if (folder.empty() || !included.starts_with("synth/")) return false;
+    for (const auto& [room, closed] : kClosedTo)
+        if (file.starts_with(room) && starts_with_any(included, closed)) return false;
+    if (starts_with_any(folder, kRoomsBelow)) return included.starts_with(folder);
+    if (starts_with_any(included, kRoomsBelow)) return true;
     const auto below = kMethodsBelow.find(folder);
     return included.starts_with(folder) ||
            (below != kMethodsBelow.end() && starts_with_any(included, below->second));
@@ -139,6 +156,19 @@ TEST(Layering, MethodsUseOneAnotherDownwardOnly) {
     EXPECT_FALSE(may_include("synth/distance/a.cpp", "synth/stage.h"));
     EXPECT_TRUE(may_include("synth/sketch/a.cpp", "synth/texture/a.h"));
     EXPECT_FALSE(may_include("synth/texture/a.cpp", "synth/sketch/a.h"));
+}
+
+TEST(Layering, RoomsLieBelowMethods) {
+    EXPECT_TRUE(may_include("synth/sketch/a.cpp", "synth/geometry/shape.h"));
+    EXPECT_TRUE(may_include("synth/texture/database/a.cpp", "synth/statistics/a.h"));
+    EXPECT_TRUE(may_include("synth/geometry/course.cpp", "synth/geometry/shape.h"));
+    EXPECT_FALSE(may_include("synth/geometry/a.cpp", "synth/texture/options.h"));
+    EXPECT_FALSE(may_include("synth/geometry/a.cpp", "synth/statistics/a.h"));
+    EXPECT_FALSE(may_include("synth/statistics/a.cpp", "synth/genetic/options.h"));
+    EXPECT_FALSE(may_include("synth/genetic/map/a.cpp", "synth/genetic/evolution/a.h"));
+    EXPECT_TRUE(may_include("synth/genetic/genetic.cpp", "synth/genetic/evolution/a.h"));
+    EXPECT_FALSE(
+        may_include("synth/texture/constraints/a.h", "synth/texture/database/a.h"));
 }
 
 TEST(Layering, ReaderSeesOptionsOnly) {

@@ -1,5 +1,5 @@
 // Boundary refinement (Saunders 2006, IV.3.1 and VI.1).
-#include "synth/genetic/boundary.h"
+#include "synth/genetic/map/boundary.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "field/random.h"
-#include "synth/genetic/outlines.h"
+#include "synth/genetic/map/outlines.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synth/genetic/base.h"
+#include "synth/genetic/evolution/base.h"
+#include "synth/genetic/evolution/height_field.h"
 #include "synth/genetic/genetic.h"
-#include "synth/genetic/height_field.h"
 #include "tests/synth/texture_lands.h"
 
 namespace cydonia::genetic {

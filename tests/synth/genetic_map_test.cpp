@@ -7,9 +7,9 @@
 #include <set>
 
 #include "field/error.h"
-#include "synth/genetic/boundary.h"
-#include "synth/genetic/map.h"
-#include "synth/genetic/outlines.h"
+#include "synth/genetic/map/boundary.h"
+#include "synth/genetic/map/map.h"
+#include "synth/genetic/map/outlines.h"
 
 namespace cydonia::genetic {
 namespace {

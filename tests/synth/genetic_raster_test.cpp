@@ -1,5 +1,5 @@
 // Maps of terrain types on a terrain's samples (Saunders 2006, IV.3.3.2, V.3.3.6, VII.3).
-#include "synth/genetic/map.h"
+#include "synth/genetic/map/map.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "field/random.h"
-#include "synth/genetic/outlines.h"
+#include "synth/genetic/map/outlines.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::genetic {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "field/noise.h"
-#include "synth/genetic/analysis.h"
+#include "synth/statistics/analysis.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "field/noise.h"
-#include "synth/genetic/ridges.h"
+#include "synth/statistics/ridges.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "field/noise.h"
-#include "synth/genetic/segmentation.h"
-#include "synth/genetic/water.h"
+#include "synth/statistics/segmentation.h"
+#include "synth/statistics/water.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "field/noise.h"
 #include "field/random.h"
-#include "synth/genetic/edges.h"
-#include "synth/genetic/similarity.h"
+#include "synth/statistics/edges.h"
+#include "synth/statistics/similarity.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "field/noise.h"
-#include "synth/genetic/windowed.h"
+#include "synth/statistics/windowed.h"
 
 namespace cydonia::genetic {
 namespace {

@@ -1,10 +1,10 @@
-#include "synth/texture/appearance.h"
+#include "synth/texture/database/appearance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "synth/texture/neighbourhood.h"
+#include "synth/texture/database/neighbourhood.h"
 #include "tests/synth/texture_lands.h"
 
 namespace cydonia::texture {

@@ -1,4 +1,4 @@
-#include "synth/texture/breach.h"
+#include "synth/hydrology/breach.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "synth/texture/depressions.h"
+#include "synth/hydrology/depressions.h"
 
 namespace cydonia::texture {
 namespace {

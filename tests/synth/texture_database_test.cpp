@@ -1,4 +1,4 @@
-#include "synth/texture/database.h"
+#include "synth/texture/database/database.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "field/random.h"
-#include "synth/texture/database_file.h"
-#include "synth/texture/database_layout.h"
+#include "synth/texture/database/database_file.h"
+#include "synth/texture/database/database_layout.h"
 #include "tests/field/small_disk.h"
 #include "tests/synth/texture_lands.h"
 

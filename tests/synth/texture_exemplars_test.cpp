@@ -1,4 +1,4 @@
-#include "synth/texture/exemplars.h"
+#include "synth/texture/database/exemplars.h"
 
 #include <gtest/gtest.h>
 

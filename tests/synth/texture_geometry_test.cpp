@@ -1,4 +1,4 @@
-#include "synth/texture/geometry.h"
+#include "synth/texture/constraints/geometry.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "field/random.h"
-#include "synth/texture/hermite.h"
-#include "synth/texture/strand.h"
+#include "synth/geometry/hermite.h"
+#include "synth/texture/constraints/strand.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::texture {

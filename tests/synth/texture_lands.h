@@ -7,9 +7,9 @@
 
 #include "field/dem.h"
 #include "field/noise.h"
-#include "synth/texture/appearance.h"
-#include "synth/texture/matches.h"
-#include "synth/texture/pyramid.h"
+#include "synth/texture/database/appearance.h"
+#include "synth/texture/database/matches.h"
+#include "synth/texture/database/pyramid.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::texture {

@@ -1,4 +1,4 @@
-#include "synth/texture/layout.h"
+#include "synth/texture/synthesis/layout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "synth/texture/matches.h"
+#include "synth/texture/database/matches.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "field/random.h"
-#include "synth/texture/alike_tree.h"
-#include "synth/texture/neighbourhood.h"
+#include "synth/texture/database/alike_tree.h"
+#include "synth/texture/database/neighbourhood.h"
 #include "tests/synth/texture_lands.h"
 
 namespace cydonia::texture {

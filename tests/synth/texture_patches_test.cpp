@@ -1,8 +1,8 @@
-#include "synth/texture/patches.h"
+#include "synth/texture/synthesis/patches.h"
 
 #include <gtest/gtest.h>
 
-#include "synth/texture/places.h"
+#include "synth/texture/synthesis/places.h"
 
 using namespace cydonia;
 using namespace cydonia::texture;

@@ -1,4 +1,4 @@
-#include "synth/texture/pull.h"
+#include "synth/texture/constraints/pull.h"
 
 #include <gtest/gtest.h>
 

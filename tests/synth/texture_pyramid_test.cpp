@@ -1,4 +1,4 @@
-#include "synth/texture/pyramid.h"
+#include "synth/texture/database/pyramid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "synth/texture/residual.h"
+#include "synth/texture/constraints/residual.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "field/random.h"
-#include "synth/texture/constraint_errors.h"
+#include "synth/texture/constraints/constraint_errors.h"
 
 namespace cydonia::texture {
 namespace {

@@ -1,9 +1,9 @@
-#include "synth/texture/start.h"
+#include "synth/texture/synthesis/start.h"
 
 #include <gtest/gtest.h>
 
 #include "field/files.h"
-#include "synth/texture/places.h"
+#include "synth/texture/synthesis/places.h"
 #include "tests/synth/texture_lands.h"
 
 namespace cydonia::texture {

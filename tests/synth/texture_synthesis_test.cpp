@@ -7,10 +7,10 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/image.h"
-#include "synth/texture/constraint_errors.h"
-#include "synth/texture/database.h"
+#include "synth/texture/constraints/constraint_errors.h"
+#include "synth/texture/database/database.h"
 #include "synth/texture/maker.h"
-#include "synth/texture/recording.h"
+#include "synth/texture/synthesis/recording.h"
 #include "synth/texture/texture.h"
 #include "tests/synth/texture_lands.h"
 

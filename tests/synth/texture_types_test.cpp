@@ -1,4 +1,4 @@
-#include "synth/texture/types.h"
+#include "synth/texture/database/types.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@
 
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/texture/database.h"
+#include "synth/texture/database/database.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::texture {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "field/progress.h"
+#include "synth/genetic/evolution/chromosome.h"
+#include "synth/genetic/evolution/fitness.h"
+#include "synth/genetic/options.h"
+
+namespace cydonia::genetic {
+
+// The best chromosome after each cycle.
+struct Generation {
+    double fitness = 0.0;        // eq. IV.13
+    double compatibility = 0.0;  // mean over genes
+    double similarity = 0.0;     // mean over regions by area
+    double mean_fitness = 0.0;   // of the population
+};
+
+struct Evolved {
+    Chromosome best;
+    std::vector<Generation> generations;  // the first population's before any cycle
+};
+
+// The height field genetic algorithm (section IV.3.3). `inherited`: for each slot the
+// gene that goes on with the coarser level's land there, where that has any. The same for
+// any number of threads.
+Evolved evolved(const Fitness& fitness, const std::vector<std::optional<Gene>>& inherited,
+                const EvolutionOptions& options, std::uint64_t seed, Progress& progress);
+
+}  // namespace cydonia::genetic

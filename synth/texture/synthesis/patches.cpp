@@ -1,0 +1,156 @@
+#include "synth/texture/synthesis/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "field/parallel.h"
+#include "synth/texture/synthesis/places.h"
+
+// Gain, Merry and Marais 2015, figure 3: how patches form.
+
+namespace cydonia::texture {
+
+namespace {
+
+constexpr int kBlock = 16;
+
+// The exemplar's cell.
+int column(Place place, int level) { return spot_of(place).x >> (level + 1); }
+int row(Place place, int level) { return spot_of(place).y >> (level + 1); }
+
+// Whether b, a step away from a, is the land that lies a step away from a's.
+bool goes_on(Place from, Place to, Step step, int level) {
+    const Step there = turned(from.orientation(), step);
+    const Spot a = spot_of(from), b = spot_of(to);
+    return a.exemplar == b.exemplar && a.orientation == b.orientation &&
+           a.x + there.x * (2 << level) == b.x && a.y + there.y * (2 << level) == b.y;
+}
+
+bool coherent(const Field<Place>& places, int level, int x, int y) {
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            if (places.contains(x + dx, y + dy) &&
+                !goes_on(places(x, y), places(x + dx, y + dy), {dx, dy}, level)) {
+                return false;
+            }
+    return true;
+}
+
+double coherent_share(const Field<Place>& places, int level) {
+    std::vector<int> count(static_cast<std::size_t>(places.height()));
+    parallel_for(places.height(), 16, [&](int y) {
+        for (int x = 0; x < places.width(); ++x)
+            count[static_cast<std::size_t>(y)] += coherent(places, level, x, y);
+    });
+    return std::accumulate(count.begin(), count.end(), 0.0) /
+           static_cast<double>(places.size());
+}
+
+// Sets of cells that grow together; each is known by its first cell.
+class Sets {
+  public:
+    explicit Sets(std::size_t cells) : parent_(cells) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::uint32_t first(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        std::tie(a, b) = std::minmax({first(a), first(b)});
+        parent_[b] = a;
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+// Cells of every patch, the largest first. Patches hang together by their cells' sides.
+std::vector<std::int64_t> patch_sizes(const Field<Place>& places, int level) {
+    Sets sets(places.size());
+    const auto join = [&](int x, int y, Step step) {
+        if (!places.contains(x + step.x, y + step.y)) return;
+        const std::size_t a = places.index(x, y),
+                          b = places.index(x + step.x, y + step.y);
+        if (goes_on(places[a], places[b], step, level))
+            sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+    };
+    for (int y = 0; y < places.height(); ++y)
+        for (int x = 0; x < places.width(); ++x) {
+            join(x, y, {1, 0});
+            join(x, y, {0, 1});
+        }
+    std::vector<std::int64_t> sizes(places.size());
+    for (std::uint32_t i = 0; i < places.size(); ++i) ++sizes[sets.first(i)];
+    std::erase(sizes, 0);
+    std::ranges::sort(sizes, std::greater());
+    return sizes;
+}
+
+std::int64_t half_way(const std::vector<std::int64_t>& sizes, std::size_t cells) {
+    std::size_t sum = 0;
+    for (std::int64_t size : sizes)
+        if (2 * (sum += static_cast<std::size_t>(size)) >= cells) return size;
+    return 0;
+}
+
+// Blocks that an exemplar ends within do not count.
+double used_share(const Database& database, const Field<Place>& places, int level) {
+    struct Blocks {
+        int across, down;
+        std::vector<char> used;
+    };
+    std::vector<Blocks> exemplars;
+    for (const Sheet& sheet : database.levels.at(std::size_t(level)).sheets) {
+        const int across = sheet.width / kBlock, down = sheet.height / kBlock;
+        exemplars.push_back(
+            {across, down, std::vector<char>(static_cast<std::size_t>(across * down))});
+    }
+    for (Place place : places) {
+        Blocks& blocks = exemplars.at(static_cast<std::size_t>(place.exemplar()));
+        const int x = column(place, level) / kBlock, y = row(place, level) / kBlock;
+        if (x < blocks.across && y < blocks.down)
+            blocks.used[static_cast<std::size_t>(y * blocks.across + x)] = 1;
+    }
+    double used = 0.0, all = 0.0;
+    for (const Blocks& blocks : exemplars) {
+        used += static_cast<double>(std::ranges::count(blocks.used, 1));
+        all += static_cast<double>(blocks.used.size());
+    }
+    return all > 0.0 ? used / all : 0.0;
+}
+
+}  // namespace
+
+PatchFigures patch_figures(const Database& database, const Field<Place>& places,
+                           int level) {
+    if (places.empty()) return {};
+    const std::vector<std::int64_t> sizes = patch_sizes(places, level);
+    return {.coherent = coherent_share(places, level),
+            .patches = static_cast<int>(sizes.size()),
+            .typical = half_way(sizes, places.size()),
+            .largest = sizes.front(),
+            .used = used_share(database, places, level)};
+}
+
+Field<Rgb8> source_map(const Database& database, const Field<Place>& places, int level) {
+    const auto share = [](double part, double of) {
+        return static_cast<std::uint8_t>(
+            std::lround(255.0 * std::clamp(part / std::max(of, 1.0), 0.0, 1.0)));
+    };
+    const auto sheets = database.levels.at(std::size_t(level)).sheets;
+    Field<Rgb8> map(places.width(), places.height());
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const int exemplar = places[i].exemplar();
+        const Sheet& sheet = sheets[static_cast<std::size_t>(exemplar)];
+        map[i] = {share(column(places[i], level), sheet.width - 1),
+                  share(row(places[i], level), sheet.height - 1),
+                  share(exemplar, static_cast<double>(sheets.size()) - 1.0)};
+    }
+    return map;
+}
+
+}  // namespace cydonia::texture
