@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <string>
 
 #include "app/commands/commands.h"
 #include "app/interrupt.h"
@@ -21,35 +22,28 @@ void describe(CLI::App& app) {
     app.description("Cydonia turns a scene file into film frames of a landscape.");
     app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
     app.set_help_flag("-h,--help", "print this help");
-    app.footer(
-        "Also: emit frame-for-sketch gallery info library reproduce schema validate\n"
-        "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n");
     app.require_subcommand(0, 1);
     format_plainly(app);
 }
 
+using Add = void (*)(CLI::App&, Action&);
+
 void add_commands(CLI::App& app, Action& action) {
-    add_new(app, action);
-    add_render(app, action);
-    add_sequences(app, action);
-    add_farm(app, action);
-    add_watch(app, action);
-    add_synth(app, action);
-    add_check(app, action);
-    add_report(app, action);
-    add_emit(app, action);
-    add_export(app, action);
-    add_frame_for_sketch(app, action);
-    add_library(app, action);
-    add_reproduce(app, action);
-    add_gallery(app, action);
-    add_validate(app, action);
-    add_schema(app, action);
-    add_info(app, action);
-    // The overview fits a screen without what few look for there.
-    for (const char* name : {"emit", "frame-for-sketch", "gallery", "info", "library",
-                             "reproduce", "schema", "validate"})
-        app.get_subcommand(name)->group("");
+    std::string also;
+    const auto shown = [&](Add add) { add(app, action); };
+    const auto not_shown = [&](Add add) {
+        add(app, action);
+        CLI::App* command = app.get_subcommands({}).back();
+        command->group("");
+        also += " " + command->get_name();
+    };
+#define CYDONIA_SHOWN(add) shown(add);
+#define CYDONIA_ALSO(add) not_shown(add);
+    CYDONIA_SUBCOMMANDS(CYDONIA_SHOWN, CYDONIA_ALSO)
+#undef CYDONIA_SHOWN
+#undef CYDONIA_ALSO
+    app.footer("Also:" + also +
+               "\nExample:\n  cydonia render scenes/text/scene.toml --quality draft\n");
 }
 
 int exit_code(ExitCode code) { return static_cast<int>(code); }

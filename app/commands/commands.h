@@ -14,27 +14,34 @@ class Option;
 
 namespace cydonia {
 
-// Every subcommand adds itself to the command line and, when it is the one asked for,
-// sets what main then does.
+// What main does once the command line is read.
 using Action = std::function<void()>;
 
-void add_render(CLI::App& app, Action& action);
-void add_synth(CLI::App& app, Action& action);
-void add_check(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_emit(CLI::App& app, Action& action);
-void add_sequences(CLI::App& app, Action& action);  // sweep, turntable, film
-void add_farm(CLI::App& app, Action& action);
-void add_new(CLI::App& app, Action& action);
-void add_validate(CLI::App& app, Action& action);
-void add_watch(CLI::App& app, Action& action);
-void add_info(CLI::App& app, Action& action);
-void add_gallery(CLI::App& app, Action& action);
-void add_export(CLI::App& app, Action& action);
-void add_library(CLI::App& app, Action& action);
-void add_frame_for_sketch(CLI::App& app, Action& action);
-void add_reproduce(CLI::App& app, Action& action);
-void add_schema(CLI::App& app, Action& action);
+// Every subcommand, in the order of the overview. Each is a function of a file in this
+// folder that adds it to the command line and, when it is the one asked for, sets the
+// action. ALSO: named in the overview's last line only, so that it fits a screen.
+#define CYDONIA_SUBCOMMANDS(SHOWN, ALSO) \
+    SHOWN(add_new)                       \
+    SHOWN(add_render)                    \
+    SHOWN(add_sequences)                 \
+    SHOWN(add_farm)                      \
+    SHOWN(add_watch)                     \
+    SHOWN(add_synth)                     \
+    SHOWN(add_check)                     \
+    SHOWN(add_report)                    \
+    SHOWN(add_export)                    \
+    ALSO(add_emit)                       \
+    ALSO(add_frame_for_sketch)           \
+    ALSO(add_gallery)                    \
+    ALSO(add_info)                       \
+    ALSO(add_library)                    \
+    ALSO(add_reproduce)                  \
+    ALSO(add_schema)                     \
+    ALSO(add_validate)
+
+#define CYDONIA_DECLARE(add) void add(CLI::App& app, Action& action);
+CYDONIA_SUBCOMMANDS(CYDONIA_DECLARE, CYDONIA_DECLARE)
+#undef CYDONIA_DECLARE
 
 struct Help {
     std::string name;
