@@ -48,7 +48,7 @@ void add_commands(CLI::App& app, Action& action) {
 
 int exit_code(ExitCode code) { return static_cast<int>(code); }
 
-// One line that ends with where to look, for a command line that is wrong.
+// Prints one line about a wrong command line, ending with where help is.
 int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     const std::string command =
@@ -62,7 +62,7 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     return exit_code(ExitCode::kBadRequest);
 }
 
-// Names come from files: their control characters must not steer the terminal.
+// Messages quote names from files, whose control characters must not reach the terminal.
 std::string printable(std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return (c < 32 && c != '\n') || c == 127; }, '?');

@@ -9,7 +9,7 @@
 namespace cydonia {
 namespace {
 
-// The one of `all` that the file calls so.
+// The value of `all` with this name.
 template <class T>
 T named(const std::string& name, std::initializer_list<T> all, const char* what) {
     for (const T& one : all)

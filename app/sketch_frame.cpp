@@ -26,7 +26,7 @@ namespace {
 constexpr int kQuality = 88;  // of the JPEG to draw over
 constexpr int kPlan = 1280;   // pixels of the plan's longer side
 
-// A picture as the page, on a layer that takes no strokes, and an empty one above it.
+// An SVG with the picture on a locked layer and an empty layer above it.
 std::string drawing_over(const Field<Rgb8>& picture, const std::string& title,
                          const std::string& metadata) {
     const int w = picture.width(), h = picture.height();
@@ -56,7 +56,7 @@ bool has_strokes(const fs::path& file) {
     try {
         return !svg_paths(open_source(file), 1e-3).empty();
     } catch (const Error&) {
-        return true;  // somebody's, not ours
+        return true;  // a file that we did not write
     }
 }
 

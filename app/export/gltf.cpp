@@ -1,4 +1,4 @@
-// The scene for other 3D programs.
+// glTF: the scene for other 3D programs.
 #include <fmt/core.h>
 
 #include "app/export/export.h"

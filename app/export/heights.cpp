@@ -1,4 +1,4 @@
-// The land's heights for programs of terrain, maps and games.
+// The heights for terrain, map and game programs.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::string file_name(const Job& job, HeightFormat format) {
     return fmt::format("export/{}.{}", job.spec->name, extension_of(format));
 }
 
-// Averaged down. Cells stay square: the other side is a whole number of them.
+// Averaged to at most `samples` along the longer side. Cells stay square.
 Terrain reduced(const Terrain& terrain, int samples) {
     Terrain result{at_most(terrain.heights, samples), terrain.spacing, {}, {}, {}};
     result.spacing *= double(terrain.heights.width()) / result.heights.width();

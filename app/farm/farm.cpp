@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kMostTasks = 1000;  // of an array, as Slurm comes
+constexpr std::size_t kMostTasks = 1000;  // of an array: Slurm's default limit
 
 Kind kind_of(const FarmRequest& asked, const Job& job) {
     if (asked.sequence) return *asked.sequence;
@@ -34,18 +34,18 @@ Kind kind_of(const FarmRequest& asked, const Job& job) {
     return moves ? Kind::kFilm : Kind::kTurntable;
 }
 
-// So that no node does a lot in vain when it dies, nor starts for a moment's work.
+// Frames of a task. A node that dies loses at most these; each start is worth its time.
 int chunk_of(render::Quality quality) {
     constexpr int kFrames[] = {8, 4, 1};
     return kFrames[static_cast<int>(quality)];
 }
 
 int minutes_of(render::Quality quality, int chunk) {
-    constexpr int kMinutes[] = {5, 30, 240};  // of a frame, on one core
+    constexpr int kMinutes[] = {5, 30, 240};  // for a frame on one core
     return chunk * kMinutes[static_cast<int>(quality)];
 }
 
-// Runs of frames, at most `chunk` in each.
+// Ranges of consecutive frames, at most `chunk` in each.
 std::vector<Request::Frames> chunks_of(const std::vector<std::size_t>& frames,
                                        int chunk) {
     std::vector<Request::Frames> chunks;
@@ -61,7 +61,7 @@ std::vector<Request::Frames> chunks_of(const std::vector<std::size_t>& frames,
     return chunks;
 }
 
-// Whether all is there that frames are traced from.
+// Whether everything that frames are traced from is finished.
 bool has_land(Graph& graph) {
     return graph.finished(kAssetsStep) && graph.finished(kExportStep);
 }
@@ -72,7 +72,8 @@ std::uint64_t most_memory(const std::vector<const Step*>& steps) {
     return most;
 }
 
-// Once the land is made: before, none is traced, and a day's suns are not known.
+// The frames that are not traced yet. Before the land is made that is all of them, and
+// the suns of a day are not known.
 std::vector<std::size_t> missing(Kind kind, int count, const Job& job, Graph& graph) {
     if (has_land(graph)) return frames_to_trace(job, plan_of(kind, job).sequence, graph);
     if (kind != Kind::kDay) {
@@ -86,15 +87,16 @@ std::vector<std::size_t> missing(Kind kind, int count, const Job& job, Graph& gr
     }
     if (job.request.frames)
         throw bad_request(
-            "a part of a day needs the land first, which tells the sun: cydonia emit "
+            "a part of a day needs the land first, on which the sun depends: cydonia "
+            "emit "
             "with the same options makes it");
     std::vector<std::size_t> all(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     return all;
 }
 
-// As other machines and later commands are to understand it: with full paths, and the
-// number of frames said.
+// The request for other machines and later commands: with absolute paths, and with the
+// number of frames.
 Request settled(Request request, const Job& job, Kind kind, int count) {
     request.scene = fs::absolute(request.scene).lexically_normal();
     request.output = fs::absolute(job.folder).lexically_normal();
@@ -111,8 +113,9 @@ void refuse_while_queued(const fs::path& output) {
     const FarmRecord record = read_record(output);
     if (std::ranges::any_of(slurm::tasks_of(record.ids()), &slurm::Task::is_queued))
         throw bad_request(
-            "what was handed in before is still queued: see cydonia farm status, or end "
-            "it with scancel {}",
+            "jobs that were submitted before are still queued: see cydonia farm status, "
+            "or "
+            "cancel them with scancel {}",
             fmt::join(record.ids(), " "));
 }
 
@@ -120,7 +123,7 @@ void print(const std::vector<Script>& scripts, const FarmPlan& plan) {
     const fs::path folder = farm_folder(plan.request.output);
     for (const Script& script : scripts)
         fmt::print("# {}\n{}\n", (folder / script.file).string(), script.text);
-    fmt::print("# To be handed in from {}, each after the one before:\n",
+    fmt::print("# To be submitted from {}, each after the one before:\n",
                quoted(folder.string()));
     for (const Script& script : scripts)
         fmt::print(
@@ -129,8 +132,8 @@ void print(const std::vector<Script>& scripts, const FarmPlan& plan) {
             script.file);
 }
 
-// All of them, or none: what was handed in before a refusal is taken back.
-void hand_in(const std::vector<Script>& scripts, const FarmPlan& plan) {
+// Submits all scripts or none: after a refusal the jobs submitted before are cancelled.
+void submit_all(const std::vector<Script>& scripts, const FarmPlan& plan) {
     const fs::path folder = farm_folder(plan.request.output);
     make_folder(folder);
     FarmRecord record{plan.request, plan.goal, {}};
@@ -169,11 +172,11 @@ FarmPlan farm_plan(const FarmRequest& asked, const Job& job) {
     plan.chunks = chunks_of(frames, chunk);
     if (plan.chunks.size() > kMostTasks)
         throw bad_request(
-            "{} runs of missing frames are more than the {} tasks of an array",
+            "{} ranges of missing frames are more than the {} tasks of an array",
             plan.chunks.size(), kMostTasks);
     plan.minutes = asked.minutes.value_or(minutes_of(job.request.quality, chunk));
     plan.land_memory = most_memory(graph.closure(targets_of(Goal::kEmit, job)));
-    // Ours, and POV-Ray's beside it.
+    // This program's memory and POV-Ray's at the same time.
     plan.frame_memory = memory::of_emit(job.drawn_cells());
     std::uint64_t own = 0;
     for (const std::string& id : sequence_targets(kind, job))
@@ -184,7 +187,7 @@ FarmPlan farm_plan(const FarmRequest& asked, const Job& job) {
     return plan;
 }
 
-// The job of a farm's record, as it was handed in.
+// The request of a farm's record, for the scene and folder of this one.
 Request recorded(const Request& request, const FarmRecord& record,
                  const fs::path& output) {
     Request all = record.request;
@@ -249,14 +252,14 @@ void farm(const FarmRequest& asked, Console& console) {
         const std::vector<Script> scripts = scripts_of(plan);
         if (asked.request.dry_run) return print(scripts, plan);
         refuse_while_queued(plan.request.output);
-        hand_in(scripts, plan);
+        submit_all(scripts, plan);
         const FarmRecord record = read_record(plan.request.output);
         std::vector<std::string> jobs;
         for (const auto& [what, id] : record.jobs)
             jobs.push_back(fmt::format("{} {}", what, id));
-        console.note(fmt::format("{} handed in: jobs {}", name_of(plan.goal),
+        console.note(fmt::format("{} submitted: jobs {}", name_of(plan.goal),
                                  fmt::join(jobs, ", ")));
-        console.note(fmt::format("logs in {}; cydonia farm status {} tells how far it is",
+        console.note(fmt::format("logs in {}; cydonia farm status {} shows the progress",
                                  farm_folder(job.folder).string(),
                                  asked.request.scene.string()));
     });
@@ -274,7 +277,7 @@ void farm_status(const Request& request, Console& console) {
     const bool queued = std::ranges::any_of(tasks, &slurm::Task::is_queued);
     if (!queued && !left.empty())
         fmt::print(
-            "the same cydonia farm command hands in what is missing; logs are in {}\n",
+            "the same cydonia farm command submits what is missing; logs are in {}\n",
             farm_folder(output).string());
 }
 
@@ -285,7 +288,7 @@ void farm_collect(const Request& request, Console& console) {
     if (const auto left = still_missing(all, record.goal, console); !left.empty())
         throw failure(
             "{} frames are not traced, the first is {}: the same cydonia farm command "
-            "hands them in again",
+            "submits them again",
             left.size(), left.front());
     make(all, record.goal, console);
 }

@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kTimeLimit{120};  // a controller may be slow to answer
+constexpr std::chrono::seconds kTimeLimit{120};  // the controller may be slow to answer
 constexpr std::size_t kMostOutput = 64u << 20;
 
 struct Answer {
@@ -52,20 +52,20 @@ Answer ask(const char* name, const std::vector<std::string>& arguments,
             throw failure("{} gave no answer within {} s: is Slurm's controller up?",
                           name, kTimeLimit.count());
         if (answer.text.size() > kMostOutput)
-            throw failure("{} answers without an end", name);
+            throw failure("{} does not stop answering", name);
     }
     answer.outcome = child.outcome();
     answer.text = trimmed(std::move(answer.text));
     return answer;
 }
 
-// Its last line: "12", or "12;cluster". What comes before it is advice.
+// From the last line, "12" or "12;cluster". Lines before it are advice.
 std::string id_in(const std::string& text) {
     const std::string line = text.substr(text.rfind('\n') + 1);
     const std::string id = line.substr(0, line.find(';'));
     if (id.empty() ||
         !std::ranges::all_of(id, [](char c) { return '0' <= c && c <= '9'; }))
-        throw failure("sbatch names no job: {}", text);
+        throw failure("sbatch gave no job id: {}", text);
     return id;
 }
 
@@ -117,7 +117,7 @@ std::vector<Task> tasks_of(const std::vector<std::string>& jobs) {
              fmt::format("--jobs={}", fmt::join(jobs, ","))},
             ".");
     if (answer.outcome != 0) {
-        // Jobs that ended long ago.
+        // Slurm no longer knows jobs that ended long ago.
         if (answer.text.find("Invalid job id") != answer.text.npos) return {};
         throw failure("squeue: {}", answer.text);
     }

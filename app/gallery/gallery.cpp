@@ -22,11 +22,11 @@ namespace cydonia {
 namespace {
 
 constexpr const char* kFolder = "out/gallery";
-constexpr int kThumbnail = 640;               // pixels, the longest side
+constexpr int kThumbnail = 640;               // pixels of the longer side
 constexpr int kThumbnailQuality = 85;         // of its JPEG
 constexpr std::size_t kSheetBytes = 150'000;  // small enough for a README
 
-// A scene's steps as one line of the gallery's.
+// Shows all steps of a scene as one line.
 class OneLine final : public Progress {
   public:
     OneLine(Console& console, std::string name)
@@ -67,7 +67,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
     return scenes;
 }
 
-// As one types it: relative where that leads down, quoted where a shell needs it.
+// A path as one types it: relative if it is below here, quoted if a shell needs it.
 std::string typed(const fs::path& path) {
     const fs::path relative = fs::proximate(path);
     const std::string text = (*relative.begin() == ".." ? path : relative).string();

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// The land before the first stage that hides an image; none where it is flat.
+// The heights before the first stage that hides an image; none if that is the first
+// stage.
 std::optional<Field<float>> base_of(const Job& job) {
     const auto& stages = job.spec->stages;
     const auto hides = [](const config::StageSpec& stage) {

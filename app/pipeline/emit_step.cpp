@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// Names in the pov folder as outputs.
+// Files of the folder pov/ as outputs, which are relative to the output folder.
 std::vector<std::string> in_pov(std::vector<std::string> names) {
     for (std::string& name : names) name.insert(0, "pov/");
     return names;

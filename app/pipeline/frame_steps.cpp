@@ -100,7 +100,7 @@ std::vector<std::string> delivered_files(const Frame& frame) {
             "frames/" + frame.camera.name + ".png"};
 }
 
-// The scene's, with the camera's own exposure added.
+// The scene's colour options with the camera's exposure added.
 render::ColourOptions colour_of(const Job& job, const Frame& frame) {
     render::ColourOptions colour = job.spec->render.colour;
     colour.exposure += frame.camera.exposure;

@@ -13,7 +13,7 @@
 namespace cydonia {
 namespace {
 
-// The most memory that this process or a program it ran has held so far.
+// The most memory that this process or one of its child processes has held so far.
 std::uint64_t peak_memory() {
     rusage own = {}, children = {};
     getrusage(RUSAGE_SELF, &own);
@@ -21,7 +21,7 @@ std::uint64_t peak_memory() {
     return static_cast<std::uint64_t>(std::max(own.ru_maxrss, children.ru_maxrss)) * 1024;
 }
 
-// Each step behind its needs; of those that could be next, the first given.
+// Each step after its needs. Of those that could be next, the first given comes first.
 std::vector<Step> in_order(std::vector<Step> steps) {
     std::vector<Step> ordered;
     std::set<std::string> left;
@@ -44,7 +44,7 @@ std::vector<Step> in_order(std::vector<Step> steps) {
 
 void add_files(KeyBuilder& key, const StepRecord& record) {
     key.add(record.sizes).add(record.hashes);
-    // Very large files have no hash.
+    // Very large files are not hashed.
     for (std::size_t i = 0; i < record.hashes.size(); ++i)
         if (record.hashes[i] == 0) key.add(record.written[i]);
 }
@@ -70,7 +70,7 @@ const Step& Graph::step(const std::string& id) const { return steps_[index_.at(i
 
 std::vector<const Step*> Graph::closure(const std::vector<std::string>& targets) const {
     std::set<std::string> wanted(targets.begin(), targets.end());
-    // From the last to the first, every step's needs stand before it.
+    // Backwards, because all needs of a step come before it.
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
         if (!wanted.contains(step->id)) continue;
         for (const Need& need : step->needs)
@@ -92,7 +92,7 @@ const StepRecord* Graph::finished(const std::string& id) {
 const StepRecord* Graph::finished_here(const Step& step) {
     if (const auto known = finished_.find(step.id); known != finished_.end())
         return known->second;
-    // Some keys take time: none is asked of a step that never ran.
+    // Some keys take time to find, so a step that never ran is not asked for its key.
     if (!ledger_.has(step.id)) return nullptr;
     for (const Need& need : step.needs) {
         if (need.use == Use::kShown) continue;
@@ -106,7 +106,7 @@ const StepRecord* Graph::finished_here(const Step& step) {
     return record;
 }
 
-// None while files that the step is made from are still to be written.
+// None while a step that goes into it is not finished.
 std::optional<Key> Graph::key(const Step& step) {
     if (const auto known = keys_.find(step.id); known != keys_.end())
         return known->second;
@@ -124,7 +124,7 @@ std::optional<Key> Graph::key(const Step& step) {
         if (need.use != Use::kFiles) builder.add(need.id).add(record->key);
         if (need.use != Use::kAll) add_files(builder, *record);
     }
-    // What is shown may still come to be.
+    // A step that is shown may still be finished later, which changes the key.
     const bool is_settled = std::ranges::none_of(
         step.needs, [](const Need& need) { return need.use == Use::kShown; });
     if (is_settled) keys_[step.id] = builder.key();

@@ -10,36 +10,35 @@
 
 namespace cydonia {
 
-// Steps in the order in which they can run, their keys, and which of them are finished.
-// Any thread may ask; each step is run by one.
+// Steps in an order in which they can run, with their keys and which of them are
+// finished. Any thread may ask; a step is run by one thread.
 class Graph {
   public:
-    // Steps may also need those of `below`, which must outlive this graph. Throws
-    // std::logic_error for two steps of one id, a need that no step meets, and needs that
-    // go in a circle.
+    // Steps may also need steps of `below`, which must outlive this graph. Throws
+    // std::logic_error for two steps with the same id, unknown needs and circular needs.
     Graph(std::vector<Step> steps, Ledger& ledger, Graph* below = nullptr);
     Graph(const Graph&) = delete;
     Graph& operator=(const Graph&) = delete;
 
-    // Each behind all that it needs, otherwise as they were given.
+    // Each step comes after all that it needs; otherwise in the order given.
     const std::vector<Step>& steps() const { return steps_; }
     const Step& step(const std::string& id) const;
     Ledger& ledger() const { return ledger_; }
 
-    // The targets and everything that must be done for them, in order.
+    // The targets and all steps that must be done for them, in order.
     std::vector<const Step*> closure(const std::vector<std::string>& targets) const;
 
-    // The step's record if it, and all that must be done for it, is finished.
+    // The step's record if it and all steps that must be done for it are finished.
     const StepRecord* finished(const std::string& id);
 
-    // Runs the step unless it is finished. What it needs must be finished.
+    // Runs the step unless it is finished. All its needs must be finished.
     struct Outcome {
         const StepRecord& record;
         bool is_new;
     };
     Outcome finish(const Step& step);
 
-    // Looks anew at what is finished: the ledger was read again.
+    // Checks again what is finished, after the ledger was reloaded.
     void forget();
 
   private:
@@ -51,13 +50,13 @@ class Graph {
     Ledger& ledger_;
     Graph* below_;
 
-    std::mutex mutex_;                     // of what follows
-    std::map<std::string, Key> own_keys_;  // as the steps gave them
-    std::map<std::string, Key> keys_;      // with those of their needs
+    std::mutex mutex_;                     // guards what follows
+    std::map<std::string, Key> own_keys_;  // Step::key()
+    std::map<std::string, Key> keys_;      // with the needs
     std::map<std::string, const StepRecord*> finished_;
 };
 
-// Throws bad_request, with the names of both steps, where two of them write one file.
+// Throws bad_request naming both steps if two of them write the same file.
 void refuse_equal_outputs(const std::vector<const Step*>& steps);
 
 // "from 1 distance; the files of emit land; after check".

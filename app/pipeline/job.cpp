@@ -53,7 +53,7 @@ void Job::resize(render::CameraOptions& camera) const {
 
 LandStore Job::land_of(std::shared_ptr<const config::SceneSpec> then,
                        Progress& sink) const {
-    // A look in a second is at no finer land than a draft.
+    // A preview by Embree draws the land as a draft does.
     const auto quality = request.preview ? render::Quality::kDraft : request.quality;
     return {std::move(then), quality, folder / ".cache", sink};
 }

@@ -12,14 +12,14 @@
 
 namespace cydonia {
 
-// A hash of everything that a step or a terrain is made from: equal keys, equal results.
+// A hash of everything that a step or terrain is made from. Equal keys, equal results.
 using Key = std::uint64_t;
 
-// Makes every key. Values are appended with their type and, where it varies, their
-// length, so that no two lists of values give the same bytes.
+// Makes a key from values. Each is appended with its type and, if that varies, its
+// length, so that different lists of values never give the same bytes.
 class KeyBuilder {
   public:
-    // `what` names the kind of thing that the key is of: "check", "frame".
+    // `what` names the kind of thing that gets the key: "check", "frame".
     explicit KeyBuilder(std::string_view what) { add(what); }
 
     KeyBuilder& add(std::string_view text) {
@@ -65,12 +65,12 @@ class KeyBuilder {
     std::string bytes_;
 };
 
-// XXH3, 64 bits.
+// The 64-bit XXH3 hash.
 std::uint64_t hash_of_bytes(std::string_view bytes);
-// Zero for a missing file, which no finished step was made from.
+// The same of a file's bytes; 0 if it is missing.
 std::uint64_t hash_of_file(const std::filesystem::path& file);
 
-// Sixteen digits.
+// The key as sixteen hexadecimal digits.
 std::string hex(Key key);
 
 }  // namespace cydonia

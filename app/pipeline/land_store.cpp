@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// Of terrains in the cache, besides those that the scene itself needs next.
+// Limit of the cache, which terrains that the scene needs next may exceed.
 constexpr std::uint64_t kCacheBytes = std::uint64_t{1} << 30;
 
 int samples_across(double metres, double spacing) {
     return std::max(2, static_cast<int>(std::lround(metres / spacing)));
 }
 
-// Stages see the shadows of the very mesh that will be rendered.
+// Stages get the shadows of the mesh that is rendered: its heights have 16 bits.
 Field<std::uint8_t> cast(const Terrain& terrain, const Sun& sun, int rays) {
     const Field<float> heights = heights_of(quantised(terrain.heights));
     return render::Caster(heights, terrain.spacing).shadow(sun, rays);
@@ -35,8 +35,8 @@ std::uint64_t seed_of_stage(const config::SceneSpec& spec, int stage) {
     return hash_of({spec.seed, static_cast<std::uint64_t>(stage), key("stage")});
 }
 
-// Form finer than the samples would break a shadow image: such land has it only where
-// the scene asks for it.
+// Fine relief would disturb a shadow image, so land with one gets it only if the scene
+// asks for it.
 int factor_of(const config::SceneSpec& spec, int samples, render::Quality quality) {
     const render::FineReliefOptions& options = spec.render.fine_relief;
     const bool hides = std::ranges::any_of(spec.stages, [](const auto& stage) {
@@ -157,8 +157,8 @@ Terrain LandStore::locked_draw() const {
     return terrain;
 }
 
-// However large they are, the land that the next stage starts from, the finished one and
-// the drawn one stay in the cache.
+// The terrain before this one, the finished and the drawn one stay in the cache however
+// large they are: otherwise the next step would make them again.
 void LandStore::store(int number, const Terrain& terrain) const {
     store_terrain(cached(number), terrain);
     std::vector<fs::path> kept{cached(stages()), cached(stages() + 1)};

@@ -15,10 +15,10 @@
 
 namespace cydonia {
 
-// The terrains of one scene: after each stage, and as it is drawn. One is made when it is
-// first asked for, from the one before or from the cache on disk, and stays in memory
-// while anybody holds it; the store itself holds the one that was asked for last. Any
-// thread may ask; terrains are made one at a time, each on all cores.
+// The terrains of one scene: after each stage, and as it is drawn. A terrain is read from
+// the cache on disk or made when it is first asked for, and stays in memory while anybody
+// holds it. The store itself holds the one that was asked for last. Any thread may ask;
+// one terrain is made at a time, on all cores.
 class LandStore {
   public:
     using Handle = std::shared_ptr<const Terrain>;
@@ -31,31 +31,31 @@ class LandStore {
     int width() const { return width_; }  // samples, west to east
     int height() const { return height_; }
     double spacing() const { return spacing_; }  // metres
-    int factor() const { return factor_; }       // samples of the drawn land a sample
+    int factor() const { return factor_; }  // samples of the drawn land for each sample
 
-    // Of the land after `stage` stages, from 0 on; of the finished one; of the drawn one.
+    // Keys of the land after `stage` stages, the finished land and the drawn land.
     Key key(int stage) const { return keys_[static_cast<std::size_t>(stage)]; }
     Key key() const { return keys_.back(); }
     Key drawn_key() const;
 
-    // The land after `stage` stages; 0: flat.
+    // The land after `stage` stages. After 0 it is flat.
     Handle get(int stage) const;
     Handle finished() const { return get(stages()); }
-    // The finished land as it is checked and drawn, with form finer than its samples
-    // (render/fine_relief).
+    // The finished land as it is checked and drawn: with relief finer than its samples
+    // where the scene has any (render/fine_relief).
     Handle drawn() const;
-    // Makes the land after `stage` stages anew, so that the stage shows how it does.
+    // Makes the land after `stage` stages even if it is cached, so that the stage can
+    // explain how it does.
     Handle explained(int stage, const Explain& explain) const;
 
-    // Any land of this scene with the finer form that drawn() has.
+    // Adds to a land of this scene the fine relief that drawn() has.
     Terrain as_drawn(const Terrain& terrain) const;
 
-    // Of a land in tiles: width x height of its heights, from column x and row y on.
+    // Makes width x height heights of a land in tiles, from column x and row y on.
     Field<float> tile(int x, int y, int width, int height, Progress& progress) const;
 
   private:
-    // Those with this name are called with mutex_ locked. The drawn land has the number
-    // after the last stage's.
+    // These are called with mutex_ locked. The drawn land is number stages() + 1.
     Handle locked_get(int number) const;
     Terrain locked_make(int stage, const Explain* explain) const;
     Terrain locked_draw() const;
@@ -72,7 +72,7 @@ class LandStore {
     int factor_;
     std::vector<Key> keys_;
 
-    mutable std::mutex mutex_;  // of what follows, and while a terrain is made
+    mutable std::mutex mutex_;  // guards what follows; held while a terrain is made
     mutable std::map<int, std::weak_ptr<const Terrain>> held_;
     mutable Handle latest_;
 };

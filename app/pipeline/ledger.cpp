@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kFile = ".cache/steps.jsonl";
 constexpr const char* kApart = ".cache/steps";
-constexpr std::size_t kFewLines = 64;  // of a file that is not worth writing anew
+constexpr std::size_t kFewLines = 64;  // stale lines that are not worth a new file
 
 std::string line_of(const std::string& step, const StepRecord& record) {
     const Json json = {{"step", step},
@@ -40,7 +40,7 @@ StepRecord record_of(const Json& json) {
             json.at("hashes"), json.at("written")};
 }
 
-// Outputs are plain names below the folder; anything else is not ours to touch.
+// Outputs are paths below the folder. A damaged ledger may name others: leave them alone.
 bool inside(const fs::path& relative) {
     return relative.is_relative() && std::ranges::find(relative, "..") == relative.end();
 }
@@ -77,11 +77,11 @@ bool intact(const fs::path& folder, const StepRecord& record) {
 }
 
 struct Lines {
-    std::size_t count = 0;  // of records
-    bool torn = false;      // some line is none
+    std::size_t count = 0;  // complete records
+    bool torn = false;      // a line is no record
 };
 
-// Reads the records of a file over those that are there.
+// Reads the records of a file; they replace those of the same steps.
 Lines read_lines(const fs::path& file, std::map<std::string, StepRecord>& records) {
     Lines lines;
     std::ifstream in(file, std::ios::binary);
@@ -93,7 +93,7 @@ Lines read_lines(const fs::path& file, std::map<std::string, StepRecord>& record
         } catch (const std::exception&) {
             lines.torn = true;
         }
-        if (in.eof()) lines.torn = true;  // no end of line: what follows would join it
+        if (in.eof()) lines.torn = true;  // without its end: the next would run on
     }
     return lines;
 }
@@ -102,8 +102,8 @@ void refuse_doubles(const std::string& step, const StepRecord& record) {
     std::set<std::string> files;
     for (const std::string& file : record.outputs)
         if (!files.insert(file).second)
-            throw failure("'{}' wrote {} twice: two of its results have one name", step,
-                          file);
+            throw failure("'{}' wrote {} twice: two of its results have the same name",
+                          step, file);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void Ledger::reload() {
     std::error_code none;
     for (const auto& file : fs::directory_iterator(folder_ / kApart, none))
         if (file.path().extension() == ".jsonl") apart_.push_back(file.path());
-    // Of a step that several processes made, the last one's counts.
+    // If several processes made a step, the last record counts.
     std::ranges::sort(apart_, {}, [](const fs::path& file) {
         return std::pair(time_written(file), file);
     });
@@ -136,7 +136,7 @@ void Ledger::record_apart(const std::string& name) {
     std::map<std::string, StepRecord> own;
     is_worn_ = read_lines(file_, own).torn;
     if (!is_worn_) return;
-    std::string text;  // without what an earlier process left unfinished
+    std::string text;  // without the incomplete line
     for (const auto& [step, record] : own) text += line_of(step, record);
     write_text(file_, text);
     is_worn_ = false;
@@ -191,7 +191,7 @@ void Ledger::append(const std::string& step, const StepRecord& record) {
     std::ofstream out(file_, std::ios::binary | std::ios::app);
     out << line_of(step, record) << std::flush;
     if (out) return;
-    is_worn_ = true;  // half a line may be there
+    is_worn_ = true;  // part of the line may have been written
     throw failure("{}: {}", file_.string(), std::strerror(errno));
 }
 

@@ -8,7 +8,7 @@
 namespace cydonia {
 namespace {
 
-// Relative to the output folder, so that both can be moved together.
+// The path relative to the output folder, so that both can be moved together.
 std::string path_to(const std::filesystem::path& file, const Job& job) {
     return std::filesystem::proximate(file, std::filesystem::absolute(job.folder))
         .generic_string();
@@ -46,7 +46,7 @@ Json versions_of(const Job& job) {
 constexpr Goal kStills[] = {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames};
 constexpr Goal kSequences[] = {Goal::kSweep, Goal::kTurntable, Goal::kFilm};
 
-// Of all goals that this request could have.
+// The finished steps of all goals that a request with these options can have.
 std::vector<const Step*> finished_steps(Graph& graph, const Job& job) {
     std::vector<std::string> targets;
     const auto add = [&](Goal goal) {
@@ -60,7 +60,7 @@ std::vector<const Step*> finished_steps(Graph& graph, const Job& job) {
     return finished;
 }
 
-// Whether all that the goal makes is there, but for the page about it.
+// Whether all targets of the goal are finished, apart from the report.
 bool is_reached(Goal goal, Graph& graph, const Job& job) {
     std::vector<std::string> targets = targets_of(goal, job);
     std::erase(targets, kReportStep);
@@ -69,8 +69,8 @@ bool is_reached(Goal goal, Graph& graph, const Job& job) {
     });
 }
 
-// The farthest of the stills' goals, each of which makes what those before it make, and
-// every sequence.
+// The last goal of the stills, whose targets include those of the goals before it, and
+// all sequences.
 std::vector<Goal> goals_of(Graph& graph, const Job& job) {
     std::vector<Goal> goals;
     for (const Goal goal : kStills)

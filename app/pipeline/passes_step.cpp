@@ -1,5 +1,5 @@
-// What compositors want besides the frame: render/passes, from the same camera over the
-// same land, in frames/<camera>.passes.exr or a file each.
+// Passes for compositing (render/passes), from the frame's camera over the frame's land:
+// all in frames/<camera>.passes.exr, or each in a file of its own.
 #include <algorithm>
 
 #include "app/pipeline/memory.h"
@@ -22,10 +22,11 @@ Key passes_key(const Job& job, const Frame& frame) {
     return key.key();
 }
 
-// 1 where the first mask called "type-..." is most, 2 where the second is, ...
+// 1 where the first mask called "type-..." is the largest, 2 where the second is, and so
+// on.
 Field<std::uint8_t> types_of(const Terrain& terrain) {
     Field<std::uint8_t> types;
-    Field<float> most;  // between samples several types have a share
+    Field<float> most;  // smaller shares do not count
     std::uint8_t number = 0;
     for (const auto& [name, mask] : terrain.masks) {
         if (!name.starts_with("type-")) continue;

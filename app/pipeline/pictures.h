@@ -8,10 +8,10 @@
 
 namespace cydonia {
 
-// Writes the scenes of a frame's pictures beside the files of its land; gives their names
-// in that folder.
+// Writes the .pov and other files of a frame's pictures into the folder of its land. The
+// outputs are names in that folder.
 StepResult write_pictures(const Job& job, const Site& site, const Frame& frame);
-// The .pov and .ini of each where that folder is pov/.
+// The .pov and .ini files of a frame whose land is in pov/.
 std::vector<std::string> files_of_pictures(const Frame& frame);
 
 }  // namespace cydonia

@@ -26,8 +26,8 @@ struct PlannedStep {
 };
 using Plan = std::vector<PlannedStep>;
 
-// What is left to do for the targets, as far as can be told before anything is done: a
-// step behind one that will run is taken to run as well.
+// What is left to do for the targets, as far as is known before anything is done. A step
+// that needs one that will run is assumed to run too.
 Plan plan_of(Graph& graph, const std::vector<std::string>& targets) {
     Plan plan;
     std::set<std::string> to_do;
@@ -63,7 +63,7 @@ void print(const Plan& plan, const Job& job) {
                bytes_text(memory::available()));
 }
 
-// Whatever can be refused is refused before any work begins.
+// Refuses before any work begins whatever can be refused then.
 void refuse(const Plan& plan, Graph& graph, Goal goal, const Job& job) {
     memory::refuse_unless_it_fits(predicted_peak(plan), memory::available());
     for (const PlannedStep& p : plan)
@@ -92,14 +92,14 @@ void write_manifest(Graph& graph, const Job& job) {
     write_text(file, text);
 }
 
-// Frames of a land that is made already, beside processes that make others of them.
+// Traces frames of a finished land while other processes trace others.
 void make_beside_others(const Plan& plan, Graph& graph, Goal goal, const Job& job) {
     const OutputFolder claim(job.folder, OutputFolder::Claim::kShared);
     const std::vector<std::string> own = sequence_targets(*sequence_of(goal), job);
     for (const PlannedStep& p : plan)
         if (!p.is_finished && std::ranges::find(own, p.step->id) == own.end())
             throw bad_request(
-                "--trace-only: '{}' is to be done first: cydonia emit with the same "
+                "--trace-only: '{}' has to be done first: cydonia emit with the same "
                 "options makes what all frames need",
                 p.step->id);
     const auto& frames = *job.request.frames;
@@ -121,12 +121,12 @@ void make_here(const Job& job, Goal goal) {
 
     const OutputFolder claim(job.folder);
     claim.belongs_to(job.spec->name);
-    ledger.reload();  // another process may have been at work until now
+    ledger.reload();  // another process may have worked here until now
     graph.forget();
     try {
         carry_out(graph.closure(targets), graph, job.progress);
     } catch (const Error& error) {
-        // What was measured is most wanted when it fell short.
+        // The figures are needed most when they fall short.
         if (error.code() == ExitCode::kCheckFellShort) {
             if (std::ranges::find(targets, kReportStep) != targets.end())
                 carry_out({&graph.step(kReportStep)}, graph, job.progress);

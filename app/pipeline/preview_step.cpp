@@ -1,5 +1,4 @@
-// A look at the scene in a second: frames by Embree (render/embree) in place of all that
-// POV-Ray needs.
+// Previews: frames by Embree (render/embree) in about a second, without POV-Ray.
 #include <fmt/core.h>
 
 #include <memory>
@@ -15,7 +14,7 @@
 namespace cydonia {
 namespace {
 
-// What the cameras of a scene share, made by the first of them.
+// What all cameras of a scene share; the first to be drawn makes it.
 using SharedLand = std::shared_ptr<std::optional<render::PreviewLand>>;
 
 Step preview_step(const Job& job, const Frame& frame, const SharedLand& shared) {

@@ -1,4 +1,4 @@
-// Fills the page's struct (render/report) from what the steps left in ledger and folder.
+// Fills the struct of the page (render/report) from the ledger and the files of steps.
 #include "app/pipeline/report_step.h"
 
 #include <fmt/core.h>
@@ -18,7 +18,7 @@ namespace cydonia {
 namespace {
 
 constexpr int kFramePixels = 1440, kPicturePixels = 960, kMaskPixels = 384;
-// A longer video is played from its file beside the page.
+// Bytes. A larger video is not embedded but played from its file.
 constexpr std::uint64_t kCarriedVideo = 3u << 19;  // 1.5 MB
 
 struct Finished {
@@ -40,7 +40,7 @@ const StepRecord* find(const All& all, const std::string& id) {
     return found == all.end() ? nullptr : &found->record;
 }
 
-// What the page holds besides what the steps have made.
+// Everything on the page apart from the results of steps.
 Key key_of(const Job& job) {
     KeyBuilder key("report");
     key.add(job.program).add(job.spec->title).add(job.spec->seed);
@@ -53,7 +53,7 @@ Key key_of(const Job& job) {
     return key.key();
 }
 
-// "terrain.stage[0]" and so on before each of its keys, as they stand in scene files.
+// The scene in canonical form, as in a scene file.
 std::string scene_text(const config::SceneSpec& spec) {
     std::string text = fmt::format(
         "title = {}\nseed = {}\n\n[terrain]\nextent = [{}, {}]  # metres\nsamples = {}\n",
@@ -70,7 +70,7 @@ std::string spaced(std::string name) {
     return name;
 }
 
-// Every figure below `json` as a row of its own.
+// Adds a row for every value in `json`, however deep.
 void add_rows(const std::string& name, const Json& json,
               std::vector<render::ReportRow>& rows) {
     const auto below = [&](const std::string& part) {
@@ -109,7 +109,7 @@ std::vector<render::ReportTable> figures_of(const All& all) {
             for (const Json& image : step.record.result.at("images"))
                 add(fmt::format("Shadow of {}", image.at("name").get<std::string>()),
                     image);
-        } else if (!step.id.starts_with("plan ")) {  // a line for every frame
+        } else if (!step.id.starts_with("plan ")) {  // too long: a line for every frame
             add(step.id, step.record.result);
         }
     }
@@ -125,7 +125,7 @@ std::string verdict_of(const render::ShadowReport& report) {
         report.passed() ? "" : ", and it falls short");
 }
 
-// A picture of black and white as flags of the land's shape.
+// A black and white picture, scaled to the land: 1 where it is dark, or else white.
 Field<std::uint8_t> flags_of(const fs::path& picture, const Field<float>& land,
                              bool dark) {
     const Field<float> grey =
@@ -252,7 +252,7 @@ class Filling {
         }
     }
 
-    // Its poster is the frame on which it stands still, else its first.
+    // The poster is the frame at which the video pauses, else the first.
     render::ReportVideo video(const std::string& file) const {
         const std::string name = fs::path(file).stem().string();
         const std::string sequence = name.substr(0, name.find('-'));

@@ -4,8 +4,8 @@
 
 namespace cydonia {
 
-// report.html: one page of what the steps that it shows have made, as far as they are
-// finished. Made again when any of it has changed.
+// Makes report.html, one page that shows the results of all finished steps that it is
+// connected to. It is made again when any of them has changed.
 Step report_step(const Job& job);
 
 }  // namespace cydonia

@@ -12,17 +12,17 @@ namespace cydonia {
 
 class Graph;
 
-// What a step makes of another one.
+// How a step depends on another one.
 enum class Use {
-    // Everything: the other's key is part of this step's.
+    // On everything that goes into it: the other's key is part of this step's key.
     kAll,
-    // The bytes of its files, nothing else: when the other is done again and they come
-    // out the same, this step stays finished.
+    // On the bytes of its files only. If the other runs again and writes the same bytes,
+    // this step stays finished.
     kFiles,
-    // Only that it is done and its gate has let the run pass.
+    // On its being done and having passed its gate. Nothing of it is part of the key.
     kDone,
-    // Shows the other where it is finished, and runs behind it where both run. Unlike the
-    // rest, the other is not done for this step's sake.
+    // On its results, if it is finished. If both run, the other runs first, but it is not
+    // run for this step's sake.
     kShown,
 };
 
@@ -36,22 +36,21 @@ struct StepResult {
     Json result = Json::object();      // what the step measured or chose
 };
 
-// One unit of work: run at most once for the same key.
+// A unit of work, done once for the same key.
 struct Step {
-    std::string id;  // "check", "trace overhead": also what the user reads
+    std::string id;  // "check", "trace overhead"; the user reads it too
     std::vector<Need> needs = {};
     std::uint64_t memory = 0;  // predicted peak, bytes
-    // Of all that goes in besides what the needs bring. Asked once.
+    // The key of everything else that goes into the step. It is asked for once.
     std::function<Key()> key = {};
-    // The graph holds the step's needs, finished.
+    // Does the work. All needs of the step are finished in `graph`.
     std::function<StepResult(Graph& graph)> run = {};
-    // Looks at the result, also of a step that was finished before, and throws to stop
-    // the run here.
+    // Looks at the result, also if the step was finished before. Throws to stop the run.
     std::function<void(const Json& result)> gate = {};
-    // Refuses or warns before any work begins; asked only of a step that will run.
+    // Refuses or warns before any work begins, if the step will run.
     std::function<void()> before = {};
-    // The files that it will write, as far as their names follow from the scene: no
-    // other step may write them too. Throws bad_request as `before` does.
+    // The files that it will write, as far as their names follow from the scene. Two
+    // steps may not write the same file. Throws bad_request as `before` does.
     std::function<std::vector<std::string>()> writes = {};
 };
 

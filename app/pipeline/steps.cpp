@@ -13,14 +13,13 @@ namespace {
 
 std::string finished_land_id(const Job& job) { return stage_id(job, job.land.stages()); }
 
-// The step whose land the others take; a scene without stages is flat from the start.
+// The land that the other steps start from. Without stages it is flat and needs no step.
 std::vector<Need> finished_land(const Job& job) {
     if (job.land.stages() == 0) return {};
     return {{finished_land_id(job), Use::kDone}};
 }
 
-// What POV-Ray draws comes after the check, so that a land that fell short costs no
-// trace.
+// POV-Ray draws a land only after the check, so that nothing is traced if it falls short.
 std::vector<Need> checked_land(const Job& job) {
     std::vector<Need> needs = finished_land(job);
     needs.push_back({kCheckStep, Use::kDone});
@@ -46,13 +45,13 @@ struct Table {
     }
 };
 
-// A trace is costly: it is made from the emitted files, byte for byte.
+// A trace is expensive, so it depends on the bytes of the emitted files alone.
 void add_trace(Table& table, const Job& job, const Frame& frame) {
     table.add(trace_step(job, frame),
               {{kAssetsStep, Use::kFiles}, {emit_id(frame.camera.name), Use::kFiles}});
 }
 
-// A delivery is cheap: exposure and view change without a new trace.
+// A delivery is cheap: another exposure or view needs no new trace.
 void add_delivery(Table& table, const Job& job, const Frame& frame) {
     const std::string& name = frame.camera.name;
     table.add(deliver_step(job, frame), {{trace_id(name), Use::kFiles}});
@@ -60,7 +59,7 @@ void add_delivery(Table& table, const Job& job, const Frame& frame) {
         table.add(passes_step(job, frame), {{deliver_id(name), Use::kFiles}});
 }
 
-// A look in a second leaves out all but the land itself.
+// Previews by Embree need nothing but the land itself.
 std::vector<std::string> land_targets(const Job& job) {
     if (job.request.preview) {
         if (job.land.stages() == 0) return {};
@@ -111,7 +110,7 @@ std::vector<Step> steps_of(const Job& job) {
     if (job.request.export_as) table.add(export_file_step(job), finished_land(job));
     table.add(check_step(job), finished_land(job));
     table.add(assets_step(job), checked_land(job));
-    // Every camera is placed before the first trace begins.
+    // All cameras are emitted first: one that cannot be placed fails before any trace.
     for (const Frame& still : stills)
         table.add(emit_step(job, still), {{kAssetsStep, Use::kAll}});
     for (const Frame& still : stills) {
@@ -152,7 +151,7 @@ std::vector<std::string> targets_of(Goal goal, const Job& job) {
     if (goal == Goal::kFrames)
         add(job.request.preview ? preview_targets(job) : still_targets(job));
     if (const auto kind = sequence_of(goal)) add(sequence_targets(*kind, job));
-    // Beside other processes none makes the page, which is of all that they make.
+    // A process that shares the folder makes no report, which shows the work of all.
     if (!job.request.trace_only) add({kReportStep});
     return ids;
 }

@@ -42,7 +42,7 @@ Json measured(const Terrain& terrain) {
             {"figures", terrain.figures}};
 }
 
-// Not those of one among many ("error of 'rim', m"): the manifest has all.
+// Figures of single features, such as "error of 'rim', m", are left to the manifest.
 void say_figures(const Terrain& terrain, Progress& progress) {
     std::size_t left = 0;
     for (const auto& [name, value] : terrain.figures) {
@@ -108,7 +108,7 @@ StepResult explain_stage(const Job& job, int stage) {
 
 StepResult make_stage(const Job& job, int stage, Ledger& ledger) {
     job.land.get(stage);
-    // Pictures of how an earlier land was made would mislead: they are removed.
+    // Explanations of an earlier land would mislead: they are removed.
     const std::string explanation = explain_id(job, stage);
     if (!job.request.explain && !ledger.outputs_of(explanation).empty())
         ledger.record(explanation, {});

@@ -51,7 +51,7 @@ fs::path file_of(const Job& job, const Tile& tile) {
     return job.folder / kFolder / fmt::format("tile-{}-{}.tif", tile.column, tile.row);
 }
 
-// What a tile's file must say that it was made from.
+// The key that is stored in a tile's file.
 std::string key_of(const Job& job, const Tile& tile) {
     return hex(KeyBuilder("tile").add(job.land.key()).add(tile.x).add(tile.y).key());
 }
@@ -80,7 +80,7 @@ Field<float> read_or_made(const Job& job, const Tile& tile, Progress& progress) 
     return made(job, tile, progress);
 }
 
-// Of all tiles one bar; what each of them says is said once.
+// One bar for all tiles. A sentence that several tiles say is shown once.
 class TilesProgress final : public Progress {
   public:
     TilesProgress(Progress& sink, int tiles) : sink_(sink), tiles_(tiles) {}
@@ -103,7 +103,7 @@ class TilesProgress final : public Progress {
     std::set<std::string, std::less<>> said_;
 };
 
-// The whole land with its samples averaged, few enough for a picture.
+// The whole land, averaged to few enough samples for a picture.
 class Overview {
   public:
     explicit Overview(const TiledShape& shape) : shape_(shape) {
@@ -138,8 +138,8 @@ class Overview {
     Terrain land_;
 };
 
-// What processes that were killed, or a land of more tiles, left behind. The folder is
-// ours alone.
+// Removes what killed processes or a land with more tiles left behind. No other process
+// works in the folder.
 void clear_leftovers(const Job& job) {
     const auto is_temporary = [](const fs::path& file) {
         const std::string name = file.filename().string();
@@ -247,7 +247,7 @@ void make_tile(const Job& job) {
     const auto [column, row] = *job.request.tile;
     const Tile tile = grid_of(job).at(column, row);
     if (is_made(job, tile))
-        return job.progress.note(fmt::format("tile {},{} is there already", column, row));
+        return job.progress.note(fmt::format("tile {},{} exists already", column, row));
     memory::refuse_unless_it_fits(memory_of(job), memory::available());
     const OutputFolder claim(job.folder, OutputFolder::Claim::kShared);
     made(job, tile, job.progress);

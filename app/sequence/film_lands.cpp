@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// The lines of [render] that the files of a land depend on: all but those that say what
-// a single frame draws.
+// The lines of [render] that the files of a land depend on. The others are about what a
+// single frame draws.
 std::string land_text(const std::string& render_text) {
     constexpr std::array<std::string_view, 8> kOfFrames = {
         "sun", "camera", "sky", "haze", "water", "colour", "passes", "thing"};
@@ -42,7 +42,7 @@ Key key_of(const LandStore& land, const config::SceneSpec& scene) {
         .key();
 }
 
-// .cache/lands/all/, or .cache/lands/0-7/ beside processes that trace other frames.
+// .cache/lands/all, or .cache/lands/0-7 if other processes trace other frames.
 fs::path folder_of(const Job& job) {
     const fs::path lands = job.folder / ".cache" / "lands";
     if (!job.request.trace_only) return lands / "all";
@@ -50,8 +50,8 @@ fs::path folder_of(const Job& job) {
            fmt::format("{}-{}", job.request.frames->first, job.request.frames->last);
 }
 
-// Stops when the user interrupts, and says nothing else: what the user watches is the
-// progress of the sequence.
+// Stops if the user interrupts and passes warnings on. The rest is not shown, because the
+// bar on the screen is that of the sequence.
 class Silence final : public Progress {
   public:
     explicit Silence(Progress& all) : all_(all) {}
@@ -104,7 +104,7 @@ std::shared_ptr<const Site> FilmLands::site(
                                  job_.request.quality);
     }
     sites_[key] = site;
-    return latest_ = site;  // the next frame may draw it too
+    return latest_ = site;  // the next frame may want it too
 }
 
 }  // namespace cydonia

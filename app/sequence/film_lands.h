@@ -11,18 +11,18 @@
 namespace cydonia {
 
 // The lands of a sequence whose scene varies in time. A land is made for the first frame
-// that draws it, shared by all that do, and gone with the last, but for the one that was
-// asked for last. POV-Ray's files of it stand in .cache/lands/ meanwhile. Must outlive
-// the frames that it was asked for.
+// that draws it and exists while a frame holds its site; the one asked for last exists
+// until the next. POV-Ray's files for it are in .cache/lands/. This must outlive the
+// FrameLands that it returns.
 class FilmLands {
   public:
     explicit FilmLands(const Job& job);
 
-    // Removes what killed runs left behind; beside other processes, only those that
-    // traced the same frames.
+    // Removes files that killed runs left behind. If other processes share the folder,
+    // only those of runs that traced the same frames.
     void remove_leftovers() const;
 
-    // The land of a frame: the job's own where that is the same. Any thread.
+    // The land of a frame, which may be the job's own. Any thread may ask.
     FrameLand of(const SequenceFrame& frame);
 
   private:
@@ -30,9 +30,9 @@ class FilmLands {
                                      std::shared_ptr<const config::SceneSpec> scene);
 
     const Job& job_;
-    const Key own_;                       // of the job's land
-    const std::filesystem::path folder_;  // for the files of these frames' lands
-    std::mutex mutex_;                    // lands are made one at a time, on all cores
+    const Key own_;                       // of the job's own land
+    const std::filesystem::path folder_;  // for POV-Ray's files
+    std::mutex mutex_;                    // one land is made at a time, on all cores
     std::map<Key, std::weak_ptr<const Site>> sites_;
     std::shared_ptr<const Site> latest_;
 };

@@ -23,7 +23,7 @@
 namespace cydonia {
 namespace {
 
-// The trace is nearly all that takes time.
+// The share of a frame's time that its trace takes.
 constexpr double kOfTrace = 0.95;
 
 class Filming {
@@ -37,7 +37,7 @@ class Filming {
           progress_(progress_of(sequence.frames.size(), share_)),
           traced_(sequence.frames.size(), 0) {}
 
-    // First those whose light tells the exposure of all.
+    // Frames whose light determines the exposure of all come first.
     void run(const std::vector<std::size_t>& frames, int workers) {
         lands_.remove_leftovers();
         leave_out_all_but(frames);
@@ -67,7 +67,7 @@ class Filming {
         return progress;
     }
 
-    // Several at once; the first failure ends them all.
+    // Works on several frames at once; the first failure stops all workers.
     template <class Work>
     void each(const std::vector<std::size_t>& frames, int workers, const Work& work) {
         std::atomic<std::size_t> next = 0;
@@ -109,7 +109,7 @@ class Filming {
         return job_.folder / "pov" / (frame.camera.name + ".exr");
     }
 
-    // With the exposure as far as it is known: only the delivery depends on it.
+    // The exposure may not be known yet; only the delivery depends on it.
     Graph steps_of_frame(std::size_t index) {
         const SequenceFrame& frame = sequence_.frames[index];
         return {frame_steps(job_, {.camera = frame.camera,
@@ -139,7 +139,7 @@ class Filming {
             share_.skip(index);
     }
 
-    // A traced frame.
+    // The frame has been traced.
     void deliver(std::size_t index) {
         Graph steps = steps_of_frame(index);
         for (const Step& step : steps.steps()) steps.finish(step);
@@ -148,15 +148,15 @@ class Filming {
 
     const Job& job_;
     const Sequence& sequence_;
-    Graph& graph_;  // of the land
+    Graph& graph_;  // with the steps of the land
     FilmLands lands_;
     Share share_;
     std::vector<FrameProgress> progress_;  // of each frame
-    std::vector<char> traced_;             // in this run or before
-    std::optional<double> exposure_;       // EV, once it is known
+    std::vector<char> traced_;             // by this run or an earlier one
+    std::optional<double> exposure_;       // EV; none until it is known
 };
 
-// As many as have a core and fit into memory.
+// One for each core, but no more than fit into memory.
 int workers_for(const Job& job, const Sequence& sequence) {
     const std::uint64_t each =
         memory::of_trace(job.drawn_cells(), pixels_of(sequence.frames.front().camera));

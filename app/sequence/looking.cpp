@@ -1,5 +1,4 @@
-// A sequence by Embree, to be looked at while working: one frame after the other, each on
-// all cores.
+// Previews of a sequence by Embree, one frame after another, each on all cores.
 #include <fmt/core.h>
 
 #include <optional>
@@ -59,7 +58,7 @@ class Looking {
         return shot_of(frame.camera, *frame.scene, job_.request.quality, land);
     }
 
-    // What all frames of one scene share is made once.
+    // What all frames of the same scene share is made once.
     Field<Rgb> natural(const Frame& frame) {
         const auto site = frame.land.site();
         const render::Shot shot = shot_of_frame(frame, *site->terrain);

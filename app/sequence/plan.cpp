@@ -10,14 +10,14 @@
 namespace cydonia {
 namespace {
 
-// Frames 0-239 of a sequence that is as long as one likes are all of 240.
+// If the scene does not say how many frames there are, those asked for are the last ones.
 config::FramesSpec frames_of(const Job& job) {
     config::FramesSpec frames = job.spec->frames;
     if (!frames.count && job.request.frames) frames.count = job.request.frames->last + 1;
     return frames;
 }
 
-// A turntable's camera may be none of the scene's.
+// A turntable may have a camera of its own, which has no size from the request yet.
 Sequence sized(Sequence sequence, const Job& job) {
     for (SequenceFrame& frame : sequence.frames) {
         job.resize(frame.camera);

@@ -13,14 +13,14 @@
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kSheetFrames = 48;  // at most, evenly
+constexpr std::size_t kSheetFrames = 48;  // at most, evenly chosen
 constexpr std::size_t kSheetBytes = 400000;
 constexpr std::array<const char*, 3> kVideos = {".mp4", ".webp", ".gif"};
 
-// Of numbered PNGs.
+// A video of numbered PNG files.
 struct Reel {
     std::string name;
-    std::vector<std::string> frames;  // files in the output folder
+    std::vector<std::string> frames;  // relative to the output folder
 };
 
 std::string reel_name(const std::string& sequence, const Job& job) {
@@ -61,7 +61,7 @@ StepResult encode(const Sequence& sequence, const Job& job) {
         sequence.rate,         sequence.still, sequence.hold};
     StepResult made{files_of_reel(sequence.name, job)};
     write_sheet(job, reel, made.outputs.front());
-    // Small films take less than a core each.
+    // A small video keeps less than one core busy, so all are encoded at once.
     Share share(kVideos.size(), job.progress);
     tbb::parallel_for(std::size_t{0}, kVideos.size(), [&](std::size_t i) {
         FrameProgress progress(i, 1.0, share);

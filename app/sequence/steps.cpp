@@ -17,11 +17,11 @@
 namespace cydonia {
 namespace {
 
-// A camera that would be under the ground somewhere is better refused now.
+// Refuses a camera that would be under the ground in some frame.
 void place_all(const Sequence& sequence, const Job& job) {
     const auto land = job.land.drawn();
     for (const SequenceFrame& frame : sequence.frames) {
-        if (frame.scene) continue;  // its land may not be made yet
+        if (frame.scene) continue;  // it has a land of its own, which is not made yet
         try {
             render::place(frame.camera, *land, job.request.quality,
                           job.spec->render.water);
@@ -59,7 +59,7 @@ void tell(const Json& plan, Progress& progress) {
     }
 }
 
-// What the frames of a film are made from; the other sequences' follow from the scene.
+// Adds what the frames of a film are made from. Other sequences follow from the scene.
 void add_timeline(KeyBuilder& key, const Job& job) try {
     for (const SequenceFrame& frame : plan_of(Kind::kFilm, job).sequence.frames) {
         add_to(key, {.camera = frame.camera, .moments = frame.moments});
@@ -71,7 +71,7 @@ void add_timeline(KeyBuilder& key, const Job& job) try {
     key.add("nothing to film");  // check_plan() says why
 }
 
-// All that a plan, and so its frames, are made from.
+// The key of everything that a plan and its frames are made from.
 Key plan_key(const Job& job, Kind kind) {
     const render::ColourOptions& colour = job.spec->render.colour;
     const std::optional<std::array<int, 2>>& size = job.request.size;
@@ -86,7 +86,7 @@ Key plan_key(const Job& job, Kind kind) {
     return key.key();
 }
 
-// Of one look and of another the frames are not the same.
+// Frames of different styles and ranges are recorded as different steps.
 std::string frames_name(Kind kind, const Job& job) {
     std::string name = name_of(kind);
     if (job.request.preview) name += fmt::format(" {}", name_of(*job.request.preview));
@@ -103,7 +103,7 @@ std::string video_id(Kind kind, const Job& job) {
     return "video " + frames_name(kind, job);
 }
 
-// Also of frames that are not asked for now: they may be there already.
+// All frames, because those that are not asked for now may exist already.
 std::vector<std::string> files_of_frames(Kind kind, const Job& job) {
     const int count = check_plan(kind, job);
     std::vector<std::string> files;
@@ -119,7 +119,7 @@ std::vector<std::string> files_of_frames(Kind kind, const Job& job) {
             add("pov/" + name, ".exr", ".pov", ".ini");
         }
     }
-    // The suns of a day depend on the land, but it has no moments.
+    // A day has no moments, and planning it would make the land.
     if (job.request.preview || kind == Kind::kDay) return files;
     for (const SequenceFrame& frame : plan_of(kind, job).sequence.frames) {
         if (frame.moments.empty()) continue;
@@ -130,7 +130,7 @@ std::vector<std::string> files_of_frames(Kind kind, const Job& job) {
     return files;
 }
 
-// The frames are worth having without it, and the user waits for them already.
+// Warns if there is no ffmpeg: the frames are worth having without the video.
 void look_for_ffmpeg(Progress& progress) try {
     render::ffmpeg_program();
 } catch (const Error& error) {

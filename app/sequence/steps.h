@@ -8,13 +8,13 @@
 
 namespace cydonia {
 
-// The steps of the scene's sequences (a day, a turntable, its film), in order: what is
-// planned; every frame; the video and a sheet of frames. They need the finished `land`,
-// and where POV-Ray draws them, the `checked` one.
+// The steps of the day, the turntable and the film of a scene: for each its plan, all its
+// frames, and its videos with a sheet of frames. `land` are the needs of previews by
+// Embree, `checked` those of frames by POV-Ray.
 std::vector<Step> sequence_steps(const Job& job, const std::vector<Need>& land,
                                  const std::vector<Need>& checked);
 
-// Those of one sequence.
+// The ids of the steps of one sequence.
 std::vector<std::string> sequence_targets(Kind kind, const Job& job);
 
 }  // namespace cydonia

@@ -11,7 +11,7 @@ namespace {
 
 using render::CameraOptions;
 
-// The whole land in the frame, seen as one sees a model on a table.
+// A camera that sees the whole land, as one looks at a model on a table.
 CameraOptions over_the_table(const std::vector<CameraOptions>& cameras) {
     CameraOptions camera;
     camera.name = "orbit";
