@@ -43,8 +43,6 @@ struct Request {
 // What a command makes: a set of steps, given by targets_of().
 enum class Goal { kTerrain, kCheck, kReport, kEmit, kFrames, kSweep, kTurntable, kFilm };
 
-std::string_view name_of(render::Quality quality);
-std::string_view name_of(render::Style style);
 std::string_view name_of(Goal goal);  // of the command
 
 }  // namespace cydonia

@@ -4,6 +4,7 @@
 #include "app/pipeline/steps.h"
 #include "field/files.h"
 #include "render/pov/scene.h"
+#include "render/scene/files.h"
 
 namespace fs = std::filesystem;
 
@@ -21,8 +22,9 @@ StepResult emit_assets(const Job& job) {
     const auto land = job.land.drawn();
     const Heights16 heights = quantised(land->heights);
     return {
-        in_pov(render::write_pov_assets(job.folder / "pov", *land,
-                                        job.spec->render.ground, job.request.quality)),
+        in_pov(render::write_pov_assets(
+            job.folder / "pov", *land,
+            render::land_maps(*land, job.spec->render.ground, job.request.quality))),
         {{"heights.png",
           {{"samples", {land->heights.width(), land->heights.height()}},
            {"metres", {{"offset", heights.base}, {"scale", heights.range / 65535.0}}}}}}};
@@ -44,10 +46,11 @@ StepResult write_pictures(const Job& job, const Site& site, const Frame& frame) 
 }
 
 std::vector<std::string> files_of_pictures(const Frame& frame) {
+    using enum render::ShotFile;
     std::vector<std::string> names;
     for (const render::CameraOptions& picture : pictures_of(frame))
-        for (const char* extension : {".pov", ".ini"})
-            names.push_back(picture.name + extension);
+        for (const render::ShotFile file : {kScene, kSettings, kSky})
+            names.push_back(render::file_of(picture.name, file));
     return in_pov(std::move(names));
 }
 

@@ -1,10 +1,9 @@
 #include "app/pipeline/frame.h"
 
-#include <fmt/core.h>
-
 #include "app/threads.h"
 #include "render/cameras/cameras.h"
 #include "render/cameras/view.h"
+#include "render/scene/files.h"
 
 namespace cydonia {
 namespace {
@@ -23,7 +22,9 @@ Sun chosen_sun(const render::CameraOptions& camera, const render::Options& optio
 
 FrameLand land_of_stills(const Job& job) {
     return {.key = job.land.drawn_key(), .site = [&job] {
-                return std::make_shared<const Site>(job.land.drawn(), job.folder / "pov");
+                return std::make_shared<const Site>(
+                    job.land.drawn(), [&job] { return job.land.maps(); },
+                    job.folder / "pov");
             }};
 }
 
@@ -47,7 +48,8 @@ std::vector<render::CameraOptions> pictures_of(const Frame& frame) {
     if (frame.moments.empty()) return {frame.camera};
     std::vector<render::CameraOptions> pictures = frame.moments;
     for (std::size_t i = 0; i < pictures.size(); ++i)
-        pictures[i].name = fmt::format("{}-s{:03}", frame.camera.name, i + 1);
+        pictures[i].name =
+            render::moment_name(frame.camera.name, static_cast<int>(i) + 1);
     return pictures;
 }
 

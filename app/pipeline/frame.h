@@ -8,14 +8,17 @@
 #include <vector>
 
 #include "app/pipeline/job.h"
+#include "render/scene/land_maps.h"
 #include "render/scene/shot.h"
 
 namespace cydonia {
 
-// A land as it is drawn, and the folder with POV-Ray's files for it. Both exist as long
-// as somebody holds the site.
+// A land as it is drawn, with its maps, and the folder with POV-Ray's files for it. All
+// exist as long as somebody holds the site.
 struct Site {
     std::shared_ptr<const Terrain> terrain;
+    // Without the albedo. Any thread may call it.
+    std::function<std::shared_ptr<const render::LandMaps>()> maps;
     std::filesystem::path pov;
 };
 

@@ -12,6 +12,7 @@
 #include "field/rgb.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
+#include "render/scene/files.h"
 
 namespace fs = std::filesystem;
 
@@ -75,6 +76,11 @@ class Mean {
     int count_ = 0;
 };
 
+// The light of a picture, as POV-Ray's folder has it.
+std::string light_file(const std::string& picture) {
+    return render::file_of(picture, render::ShotFile::kFrame);
+}
+
 // Traces all pictures of a frame in `folder`; their mean is the frame's light there.
 void trace_pictures(const Job& job, const fs::path& folder, const Frame& frame) {
     const std::vector<render::CameraOptions> pictures = pictures_of(frame);
@@ -84,16 +90,18 @@ void trace_pictures(const Job& job, const fs::path& folder, const Frame& frame) 
         const std::string& name = pictures[i].name;
         render::run_povray(folder, name, frame.threads, time_limit(job.request.quality),
                            part);
-        const Field<Rgb> picture = whole_picture(folder / (name + ".exr"));
+        const Field<Rgb> picture = whole_picture(folder / light_file(name));
         if (frame.moments.empty()) return;
         mean.add(picture);
         std::error_code none;
-        fs::remove(folder / (name + ".exr"), none);
+        fs::remove(folder / light_file(name), none);
     }
-    write_exr(folder / (frame.camera.name + ".exr"), std::move(mean).get());
+    write_exr(folder / light_file(frame.camera.name), std::move(mean).get());
 }
 
-std::string light_of(const Frame& frame) { return "pov/" + frame.camera.name + ".exr"; }
+std::string light_of(const Frame& frame) {
+    return "pov/" + light_file(frame.camera.name);
+}
 
 std::vector<std::string> delivered_files(const Frame& frame) {
     return {"frames/" + frame.camera.name + ".exr",
@@ -138,11 +146,6 @@ StepResult deliver(const Job& job, const Frame& frame) {
 
 }  // namespace
 
-std::string_view name_of(render::Quality quality) {
-    constexpr std::string_view kNames[] = {"draft", "preview", "final"};
-    return kNames[static_cast<int>(quality)];
-}
-
 std::uint64_t ocio_hash() {
     const char* ocio = std::getenv("OCIO");
     return ocio ? hash_of_file(ocio) : 0;
@@ -176,7 +179,7 @@ Step trace_temporary_land_step(const Job& job, const Frame& frame) {
         const auto site = frame.land.site();
         write_pictures(job, *site, frame);
         trace_pictures(job, site->pov, frame);
-        fs::rename(site->pov / (frame.camera.name + ".exr"),
+        fs::rename(site->pov / light_file(frame.camera.name),
                    job.folder / light_of(frame));
         return {{light_of(frame)}};
     };

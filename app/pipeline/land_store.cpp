@@ -80,7 +80,10 @@ Key key_of_stage(const config::StageSpec& stage, Key before) {
 
 LandStore::LandStore(std::shared_ptr<const config::SceneSpec> scene,
                      render::Quality quality, fs::path cache, Progress& progress)
-    : scene_(std::move(scene)), cache_(std::move(cache)), progress_(progress) {
+    : scene_(std::move(scene)),
+      quality_(quality),
+      cache_(std::move(cache)),
+      progress_(progress) {
     const config::TerrainSpec& t = scene_->terrain;
     spacing_ = std::max(t.width, t.depth) / t.samples;
     width_ = samples_across(t.width, spacing_);
@@ -110,6 +113,15 @@ LandStore::Handle LandStore::get(int stage) const {
 LandStore::Handle LandStore::drawn() const {
     const std::scoped_lock lock(mutex_);
     return locked_get(factor_ == 1 ? stages() : stages() + 1);
+}
+
+std::shared_ptr<const render::LandMaps> LandStore::maps() const {
+    const std::scoped_lock lock(mutex_);
+    if (maps_) return maps_;
+    const Handle land = locked_get(factor_ == 1 ? stages() : stages() + 1);
+    auto maps = render::land_maps(*land, scene_->render.ground, quality_);
+    maps.ground.albedo = {};
+    return maps_ = std::make_shared<const render::LandMaps>(std::move(maps));
 }
 
 LandStore::Handle LandStore::explained(int stage, const Explain& explain) const {

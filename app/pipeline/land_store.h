@@ -11,6 +11,7 @@
 #include "config/reader/scene.h"
 #include "field/progress.h"
 #include "field/terrain.h"
+#include "render/scene/land_maps.h"
 #include "synth/context.h"
 
 namespace cydonia {
@@ -44,6 +45,8 @@ class LandStore {
     // The finished land as it is checked and drawn: with relief finer than its samples
     // where the scene has any (render/fine_relief).
     Handle drawn() const;
+    // The maps of the drawn land without the albedo, which is large and only emitted.
+    std::shared_ptr<const render::LandMaps> maps() const;
     // Makes the land after `stage` stages even if it is cached, so that the stage can
     // explain how it does.
     Handle explained(int stage, const Explain& explain) const;
@@ -65,6 +68,7 @@ class LandStore {
     std::filesystem::path cached(int number) const;
 
     std::shared_ptr<const config::SceneSpec> scene_;
+    render::Quality quality_;
     std::filesystem::path cache_;
     Progress& progress_;
     int width_, height_;
@@ -75,6 +79,7 @@ class LandStore {
     mutable std::mutex mutex_;  // guards what follows; held while a terrain is made
     mutable std::map<int, std::weak_ptr<const Terrain>> held_;
     mutable Handle latest_;
+    mutable std::shared_ptr<const render::LandMaps> maps_;
 };
 
 }  // namespace cydonia

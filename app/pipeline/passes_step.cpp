@@ -41,22 +41,16 @@ Field<std::uint8_t> types_of(const Terrain& terrain) {
     return types;
 }
 
-// The maps that POV-Ray drew the land with, read back from its files.
 render::PassMaps maps_of(const Site& site) {
-    render::PassMaps maps;
-    maps.types = types_of(*site.terrain);
-    const Field<Rgba8> materials = read_rgba(open_source(site.pov / "materials.png"));
-    maps.materials = Field<std::uint8_t>(materials.width(), materials.height());
-    for (std::size_t i = 0; i < materials.size(); ++i)
-        maps.materials[i] = materials[i][0];
-    maps.sky_visibility = read_grey(open_source(site.pov / "sky_visibility.png"));
-    return maps;
+    const auto maps = site.maps();
+    return {maps->ground.materials, types_of(*site.terrain), maps->sky_visibility};
 }
 
 StepResult make_passes(const Job& job, const Frame& frame) {
     const render::PassOptions& options = *job.spec->render.passes;
     const auto site = frame.land.site();
     const Terrain& terrain = *site->terrain;
+    const render::PassMaps maps = maps_of(*site);
     const auto shot_from = [&](const render::CameraOptions& camera) {
         return shot_of(camera, *frame.scene, job.request.quality, terrain);
     };
@@ -66,7 +60,7 @@ StepResult make_passes(const Job& job, const Frame& frame) {
     const render::CameraRays rays(shot.camera);
     const auto points = view.seen(rays, shot.smooth);
     frame.progress->report(0.4);
-    auto layers = render::passes(view, points, shot.sun, maps_of(*site), options.which);
+    auto layers = render::passes(view, points, shot.sun, maps, options.which);
     if (frame.next && std::ranges::count(options.which, render::Pass::kMotion))
         layers.push_back(render::motion_pass(
             points, rays, render::CameraRays(shot_from(*frame.next).camera)));
@@ -96,10 +90,12 @@ StepResult make_passes(const Job& job, const Frame& frame) {
 std::string passes_id(const std::string& frame) { return "passes " + frame; }
 
 Step passes_step(const Job& job, const Frame& frame) {
-    return {.id = passes_id(frame.camera.name),
-            .memory = memory::of_passes(job.drawn_cells(), pixels_of(frame.camera)),
-            .key = [&job, frame] { return passes_key(job, frame); },
-            .run = [&job, frame](Graph&) { return make_passes(job, frame); }};
+    return {
+        .id = passes_id(frame.camera.name),
+        .memory = std::max(memory::of_emit(job.drawn_cells()),  // for the maps
+                           memory::of_passes(job.drawn_cells(), pixels_of(frame.camera))),
+        .key = [&job, frame] { return passes_key(job, frame); },
+        .run = [&job, frame](Graph&) { return make_passes(job, frame); }};
 }
 
 }  // namespace cydonia

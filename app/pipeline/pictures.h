@@ -11,7 +11,7 @@ namespace cydonia {
 // Writes the .pov and other files of a frame's pictures into the folder of its land. The
 // outputs are names in that folder.
 StepResult write_pictures(const Job& job, const Site& site, const Frame& frame);
-// The .pov and .ini files of a frame whose land is in pov/.
+// Those that every picture has, of a frame whose land is in pov/.
 std::vector<std::string> files_of_pictures(const Frame& frame);
 
 }  // namespace cydonia

@@ -97,11 +97,15 @@ std::shared_ptr<const Site> FilmLands::site(
         delete site;
     };
     const fs::path pov = job_.request.preview ? fs::path() : folder_ / hex(key);
-    const std::shared_ptr<const Site> site(new Site{land.drawn(), pov}, remove);
+    const auto maps = std::make_shared<render::LandMaps>();
+    const std::shared_ptr<const Site> site(
+        new Site{land.drawn(), [maps] { return maps; }, pov}, remove);
     if (!pov.empty()) {
         make_folder(pov);
-        render::write_pov_assets(pov, *site->terrain, scene->render.ground,
-                                 job_.request.quality);
+        *maps =
+            render::land_maps(*site->terrain, scene->render.ground, job_.request.quality);
+        render::write_pov_assets(pov, *site->terrain, *maps);
+        maps->ground.albedo = {};
     }
     sites_[key] = site;
     return latest_ = site;  // the next frame may want it too

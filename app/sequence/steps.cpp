@@ -103,29 +103,19 @@ std::string video_id(Kind kind, const Job& job) {
     return "video " + frames_name(kind, job);
 }
 
-// All frames, because those that are not asked for now may exist already.
+// All frames, because those that are not asked for now may exist already. Moments have
+// names that no camera can have.
 std::vector<std::string> files_of_frames(Kind kind, const Job& job) {
-    const int count = check_plan(kind, job);
     std::vector<std::string> files;
-    const auto add = [&](const std::string& stem, auto... extensions) {
-        (files.push_back(stem + extensions), ...);
-    };
+    const int count = check_plan(kind, job);
     for (int i = 0; i < count; ++i) {
         const std::string name = frame_name(name_of(kind), i);
         if (job.request.preview) {
             files.push_back(file_of_look(name_of(kind), *job.request.preview, i));
         } else {
-            add("frames/" + name, ".exr", ".png");
-            add("pov/" + name, ".exr", ".pov", ".ini");
+            for (const char* extension : {".exr", ".png"})
+                files.push_back("frames/" + name + extension);
         }
-    }
-    // A day has no moments, and planning it would make the land.
-    if (job.request.preview || kind == Kind::kDay) return files;
-    for (const SequenceFrame& frame : plan_of(kind, job).sequence.frames) {
-        if (frame.moments.empty()) continue;
-        const Frame drawn{.camera = frame.camera, .moments = frame.moments};
-        for (const render::CameraOptions& moment : pictures_of(drawn))
-            add("pov/" + moment.name, ".exr", ".pov", ".ini");
     }
     return files;
 }

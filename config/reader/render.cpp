@@ -115,14 +115,7 @@ void read(Table& t, ColourOptions& colour) {
 }
 
 void read(Table& t, PassOptions& passes) {
-    constexpr Name<Pass> kNames[] = {
-        {"depth", Pass::kDepth},   {"position", Pass::kPosition},
-        {"normal", Pass::kNormal}, {"height", Pass::kHeight},
-        {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
-        {"type", Pass::kType},     {"thing", Pass::kThing},
-        {"shadow", Pass::kShadow}, {"sky", Pass::kSky},
-        {"motion", Pass::kMotion}};
-    t.field("which", passes.which, one_of(kNames));
+    t.field("which", passes.which, one_of(render::kPasses));
     const std::set<Pass> different(passes.which.begin(), passes.which.end());
     t.check(!different.empty() && different.size() == passes.which.size(), {"which"},
             "name at least one pass, and none twice");

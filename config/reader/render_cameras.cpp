@@ -16,16 +16,6 @@ struct Fixed : Unit {
 };
 using KeyFrame = Fixed<Number>;
 
-constexpr Name<CameraOptions::Kind> kCameraKinds[] = {
-    {"overhead", CameraOptions::Kind::kOverhead},
-    {"oblique", CameraOptions::Kind::kOblique},
-    {"orbit", CameraOptions::Kind::kOrbit},
-    {"look_at", CameraOptions::Kind::kLookAt},
-    {"stand", CameraOptions::Kind::kStand},
-    {"path", CameraOptions::Kind::kPath},
-    {"drawing", CameraOptions::Kind::kDrawing},
-};
-
 constexpr std::size_t kMostKeys = 1024;
 constexpr const char* kPerspective = "a camera with perspective";
 
@@ -121,7 +111,7 @@ void read(Table& t, CameraKey& key) {
 
 void read(Table& t, CameraOptions& camera) {
     t.required("name", camera.name, Word{});
-    t.field("kind", camera.kind, one_of(kCameraKinds));
+    t.field("kind", camera.kind, one_of(render::kCameraKinds));
     read_place(t, camera);
     check_order(t, camera);
     read_lens(t, camera);

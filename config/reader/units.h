@@ -14,6 +14,7 @@
 #include "config/reader/mistakes.h"
 #include "config/reader/schema.h"
 #include "config/reader/value.h"
+#include "field/enum_names.h"
 #include "field/length.h"
 #include "field/source.h"
 
@@ -136,13 +137,6 @@ struct File {
     Source read(const Value& value, Files& files) const;
     std::string text(const Source& source) const;
     std::string schema() const;
-};
-
-// The one table of an enum's values and their names in files.
-template <class E>
-struct Name {
-    std::string_view name;
-    E value;
 };
 
 // The index of the name that the value gives.

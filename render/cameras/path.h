@@ -7,17 +7,18 @@
 
 namespace cydonia::render {
 
-// A way through points at given times. Its shape is the centripetal Catmull-Rom curve
+// A curve through points at given times. Its shape is the centripetal Catmull-Rom curve
 // (Catmull and Rom 1974; Yuksel, Schaefer and Keyser 2011: no cusp and no loop between
-// two points), its pace a monotone cubic (Fritsch and Butland 1984), so that it never
-// turns back and speed has no jumps; points given twice in a row are a rest.
+// two points). Its pace is a monotone cubic (Fritsch and Butland 1984): the motion never
+// turns back, its speed has no jumps, and a point given twice in a row is a rest.
 class TimedCurve {
   public:
-    // As many times as points, at least one, times rising. `eased`: speed is zero at both
-    // ends.
+    // There are as many times as points, at least one, and times rise. With `eased` the
+    // speed is zero at both ends.
     TimedCurve(std::vector<double> times, const std::vector<Vec3>& points, bool eased);
 
-    Vec3 operator()(double time) const;  // before and after: the first point, the last
+    Vec3 operator()(double time)
+        const;  // the first point before the first time, the last point after
 
   private:
     Vec3 shape_at(double knot) const;
@@ -27,9 +28,9 @@ class TimedCurve {
     std::vector<Vec3> points_, tangents_;     // at the knots
 };
 
-// The moments of a frame at which a camera's shutter samples are taken, evenly over the
-// time it is open, its middle at `frame`. Their pictures' mean, of linear light, is the
-// frame.
+// The times, in frames, of a camera's shutter samples. They are spread evenly over the
+// time that the shutter is open, which is centred on `frame`. The mean of their pictures,
+// in linear light, is the frame.
 std::vector<double> shutter_times(const CameraOptions& options, double frame);
 
 }  // namespace cydonia::render

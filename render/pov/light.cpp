@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/pov/pieces.h"
+#include "render/scene/files.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
@@ -100,12 +101,12 @@ std::string sky(const Shot& shot) {
     return fmt::format(R"(// The whole sky around the land, the sun's disc left out.
 sky_sphere {{
     pigment {{
-        image_map {{ exr "sky_{}.exr" map_type 1 interpolate 2 }}
+        image_map {{ exr "{}" map_type 1 interpolate 2 }}
     }}
 }}
 
 )",
-                       shot.name);
+                       file_of(shot.name, ShotFile::kSky));
 }
 
 // As many as the eye sees, brighter ones rarer: 0.51 of a power of ten a magnitude. A
@@ -141,7 +142,7 @@ std::string cloud_shade(const CloudShade& shade) {
 polygon {{
     5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
     pigment {{
-        image_pattern {{ png "clouds_{}.png" gamma 1.0 interpolate 2 once }}
+        image_pattern {{ png "{}" gamma 1.0 interpolate 2 once }}
         color_map {{ [0 rgbt <0, 0, 0, 0>] [1 rgbt <0, 0, 0, 1>] }}
     }}
     finish {{ diffuse 0 }}
@@ -152,7 +153,8 @@ polygon {{
 }}
 
 )",
-        shade.frame, number(shade.size), numbers(shade.middle));
+        file_of(shade.frame, ShotFile::kCloudShadows), number(shade.size),
+        numbers(shade.middle));
 }
 
 // One fog: POV-Ray adds up the colours of several, and the horizon would shine.

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "field/error.h"
 #include "render/pov/pieces.h"
+#include "render/scene/files.h"
 
 namespace cydonia::render {
 namespace pov {
@@ -43,22 +43,22 @@ std::string header(const Shot& shot, bool has_water,
 //
 // A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
 //
-//     povray {1}.ini
+//     povray {1}
 //
-// It needs {2}ground.png, sky_visibility.png and sky_{1}.exr beside it, and
-// draws {1}.exr: linear light, Rec.709 primaries, no exposure.
+// It needs {2}ground.png, sky_visibility.png and {3} beside it, and
+// draws {4}: linear light, Rec.709 primaries, no exposure.
 
 #version 3.7;
 
 )",
-                       comment(shot.title), shot.name, beside);
+                       comment(shot.title), file_of(shot.name, ShotFile::kSettings),
+                       beside, file_of(shot.name, ShotFile::kSky),
+                       file_of(shot.name, ShotFile::kFrame));
 }
 
 // The name stands in file names and in quotes.
 void check_name(const std::string& name) {
-    const bool safe = std::ranges::all_of(
-        name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
-    if (name.empty() || name.size() > 64 || !safe)
+    if (!is_shot_name(name))
         throw bad_request("a camera's name is 1 to 64 of A-Z a-z 0-9 _ -, not '{}'",
                           comment(name));
 }

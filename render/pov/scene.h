@@ -7,6 +7,7 @@
 
 #include "field/quantise.h"
 #include "field/terrain.h"
+#include "render/scene/land_maps.h"
 #include "render/scene/shot.h"
 #include "render/scene/water.h"
 
@@ -22,8 +23,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
 // sky, <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants
 // it. Gives the names of the files.
 std::vector<std::string> write_pov_assets(const std::filesystem::path& folder,
-                                          const Terrain& terrain,
-                                          const GroundOptions& ground, Quality quality);
+                                          const Terrain& terrain, const LandMaps& maps);
 std::vector<std::string> write_pov_scene(const std::filesystem::path& folder,
                                          const Shot& shot, const Terrain& terrain);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <iterator>
 #include <utility>
 
@@ -15,8 +16,12 @@
 namespace cydonia::render::pov {
 namespace {
 
-constexpr const char* kNames[] = {"Conifer", "Broadleaf", "Shrub",
-                                  "Grass",   "Rock",      "Boulder"};
+// "Conifer": what the .pov calls the originals of a kind, before their number.
+std::string declared_name(ThingOptions::Kind kind) {
+    std::string name(name_in(kThingKinds, kind));
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
+}
 
 std::string vector(const std::array<float, 3>& v) {
     return fmt::format("<{:.4g},{:.4g},{:.4g}>", v[0], v[2], v[1]);
@@ -45,7 +50,7 @@ std::string mesh(const Original::Part& part) {
 std::string original(ThingOptions::Kind kind, int number) {
     const Original of = original_of(kind, number);
     std::string text =
-        fmt::format("#declare {}{} = union {{\n", kNames[static_cast<int>(kind)], number);
+        fmt::format("#declare {}{} = union {{\n", declared_name(kind), number);
     for (const Original::Part& part : of.parts) text += mesh(part);
     return text + "}\n";
 }
@@ -60,12 +65,12 @@ std::string things(const Shot& shot, const Terrain& terrain) {
     std::string text = R"(// Things on the ground: x east, y up, z north, metres.
 #declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.25 * SkyLight * SkyFill }
 )";
-    std::array<bool, std::size(kNames)> declared{};
+    std::array<bool, std::size(kThingKinds)> declared{};
     std::string copies;
     const std::vector<std::vector<Thing>> strewn = things_of(shot, terrain);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const ThingOptions& of = kinds[i];
-        const char* name = kNames[static_cast<int>(of.kind)];
+        const std::string name = declared_name(of.kind);
         for (const Thing& thing : strewn[i])
             fmt::format_to(std::back_inserter(copies),
                            "object{{{}{} scale {:.4g} rotate {:.1f}*y "

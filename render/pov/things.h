@@ -7,7 +7,7 @@
 
 namespace cydonia::render::pov {
 
-// What `things_<shot>.inc` says: the originals, and their copies that the shot's camera
+// What `<shot>.things.inc` says: the originals, and their copies that the shot's camera
 // sees. Empty where the scene has no things.
 std::string things(const Shot& shot, const Terrain& terrain);
 

@@ -53,7 +53,7 @@ std::string flood(const Shot& shot) {
 // Water: dark by itself, it mirrors the sky where it is seen at a low angle.
 #declare WaterLevel = {} + {} * LandWidth;
 #declare Water = texture {{
-    pigment {{ color rgb <0.004, 0.016, 0.022> }}
+    pigment {{ color rgb <{}> }}
 {}    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
 }};
 plane {{
@@ -67,11 +67,12 @@ plane {{
         }}
     #end
     texture {{ Water }}
-    interior {{ ior 1.33 }}
+    interior {{ ior {} }}
 }}
 )",
-                       number(level.metres), number(level.fraction), waves(shot.camera),
-                       skylight(shot));
+                       number(level.metres), number(level.fraction),
+                       numbers(kFloodColour), waves(shot.camera), skylight(shot),
+                       number(kWaterIndex));
 }
 
 std::string water(const Shot& shot, const WaterSurface& surface) {
@@ -80,13 +81,13 @@ std::string water(const Shot& shot, const WaterSurface& surface) {
 // Seas and lakes: a blue-green veil over the bed, whose colour in ground.png is what their
 // depth leaves of it, and a mirror of the sky where they are seen at a low angle.
 #declare ClearWater = texture {{
-    pigment {{ color rgbt <0.02, 0.08, 0.11, 0.8> }}
+    pigment {{ color rgbt <{}, {}> }}
 {}    finish {{
         reflection {{ 0, 1 fresnel on }} conserve_energy{}
         specular 0.5 roughness 0.004 // the sun
     }}
 }};
-#declare InWater = interior {{ ior 1.33 }};
+#declare InWater = interior {{ ior {} }};
 
 // Their surface is at its level where they are and under the land beside the shore, which
 // hides it; elsewhere it is cut away.
@@ -100,7 +101,8 @@ std::string water(const Shot& shot, const WaterSurface& surface) {
 }}
 object {{ Lakes }}
 {})",
-               waves(shot.camera), skylight(shot), number(surface.heights.range),
+               numbers(kWaterVeil), number(kWaterClear), waves(shot.camera),
+               skylight(shot), number(kWaterIndex), number(surface.heights.range),
                number(surface.heights.base),
                shot.around == Around::kLand ? "Again(Lakes)\n" : "") +
            (surface.sea ? open_sea(*surface.sea) : "");

@@ -27,18 +27,18 @@ std::vector<cv::Point2d> corners(int count, double inner) {
 
 // Where a silhouette lies: its middle as shares of width and height, its radius as a
 // share of the shorter side, its turn.
-struct Place {
+struct Pose {
     double x, y, radius, turn;
 };
 
 class Drawing {
   public:
-    Drawing(int width, int height, const Place& place)
+    Drawing(int width, int height, const Pose& pose)
         : mask_(width, height),
           matrix_(height, width, CV_8U, mask_.data()),
-          middle_(place.x * width, place.y * height),
-          radius_(place.radius * std::min(width, height)),
-          turn_(place.turn) {}
+          middle_(pose.x * width, pose.y * height),
+          radius_(pose.radius * std::min(width, height)),
+          turn_(pose.turn) {}
 
     Field<std::uint8_t> mask() && { return std::move(mask_); }
 
@@ -87,7 +87,7 @@ class Drawing {
 };
 
 struct Silhouette {
-    Place place;
+    Pose pose;
     void (*draw)(Drawing&);
 };
 
@@ -124,7 +124,7 @@ constexpr Silhouette kSilhouettes[] = {
 std::vector<Field<std::uint8_t>> distractors(int width, int height) {
     std::vector<Field<std::uint8_t>> result;
     for (const Silhouette& silhouette : kSilhouettes) {
-        Drawing drawing(width, height, silhouette.place);
+        Drawing drawing(width, height, silhouette.pose);
         silhouette.draw(drawing);
         result.push_back(std::move(drawing).mask());
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "field/enum_names.h"
 #include "field/length.h"
 #include "field/source.h"
 
@@ -31,5 +32,14 @@ struct ThingOptions {
 
 // More would cost more memory than a frame is worth.
 inline constexpr std::size_t kMostKinds = 32;
+
+inline constexpr Name<ThingOptions::Kind> kThingKinds[] = {
+    {"conifer", ThingOptions::Kind::kConifer},
+    {"broadleaf", ThingOptions::Kind::kBroadleaf},
+    {"shrub", ThingOptions::Kind::kShrub},
+    {"grass", ThingOptions::Kind::kGrass},
+    {"rock", ThingOptions::Kind::kRock},
+    {"boulder", ThingOptions::Kind::kBoulder}};
+static_assert(is_complete(kThingKinds, ThingOptions::Kind::kBoulder));
 
 }  // namespace cydonia::render
