@@ -11,7 +11,7 @@ namespace {
 
 // The least change of slope over a ridge's own width, so that rounding and level land
 // make no ridges.
-constexpr float kFaintest = 0.01f;
+constexpr float kFaintestRidge = 0.01f;
 
 // The responses of one scale. `line` is positive on ridges and negative in valleys;
 // `peak` is 0 where the land is not a summit. Both are 0 on the outermost samples.
@@ -73,7 +73,7 @@ void find_peaks(const std::array<const Field<float>*, 3>& around, int k, double 
                 std::vector<Feature>& peaks) {
     const Field<float>& own = *around[1];
     const double deviation = deviation_at(k);
-    const float faintest = float(kFaintest * kFaintest * deviation * deviation);
+    const float faintest = float(kFaintestRidge * kFaintestRidge * deviation * deviation);
     std::vector<std::vector<Feature>> rows(std::size_t(own.height()));
     parallel_for(std::max(0, own.height() - 2), 16, [&](int inner) {
         const int y = inner + 1;
@@ -122,7 +122,7 @@ Ridges ridges_of(const std::vector<Scale>& land, double spacing) {
         const auto crest = [&](float sign) {
             return [&, sign](int x, int y) { return is_on_line(scale.land, sign, x, y); };
         };
-        const float faintest = kFaintest * float(std::sqrt(scale.deviation));
+        const float faintest = kFaintestRidge * float(std::sqrt(scale.deviation));
         find_largest(finer.line, own.line, coarser.line, 1.0f, k - 1, faintest,
                      crest(1.0f), ridges);
         find_largest(finer.line, own.line, coarser.line, -1.0f, k - 1, faintest,

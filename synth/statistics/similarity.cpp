@@ -7,7 +7,7 @@ namespace cydonia::statistics {
 namespace {
 
 // The least deviation, for references that are equal but for rounding.
-constexpr double kLeast = 1e-6;
+constexpr double kLeastDeviation = 1e-6;
 
 std::array<double, 4> values_of(const Statistics& s) {
     return {s.mean, s.deviation, s.skewness, s.kurtosis};
@@ -41,7 +41,7 @@ Curve curve_of(const std::vector<double>& references) {
                                           std::sqrt(-2.0 * std::log(kBaseline)));
     if (references.size() > 1)
         curve.deviation =
-            std::max(curve.deviation, kLeast * std::abs(curve.mean) + 1e-12);
+            std::max(curve.deviation, kLeastDeviation * std::abs(curve.mean) + 1e-12);
     return curve;
 }
 
