@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/library_colours.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 namespace cydonia {
 namespace {

@@ -55,8 +55,6 @@ enum class Goal {
     kFilm
 };
 
-std::string_view name_of(render::Quality quality);
-std::string_view name_of(render::Style style);
 std::string_view name_of(Goal goal);  // the command that reaches it
 
 }  // namespace cydonia

@@ -1,7 +1,7 @@
 #include "app/request_json.h"
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "config/reader/scene.h"
 #include "field/error.h"
@@ -11,7 +11,7 @@ namespace {
 
 // The one of `all` that the file calls so.
 template <class T>
-T named(const std::string& name, std::initializer_list<T> all, const char* what) {
+T named(const std::string& name, const std::vector<T>& all, const char* what) {
     for (const T& one : all)
         if (name_of(one) == name) return one;
     throw bad_request("command.{}: '{}' is not known to this version", what, name);
@@ -72,19 +72,16 @@ Json json_of(const Command& command) {
 }
 
 Command command_of(const Json& json) {
-    using render::Quality;
-    using render::Style;
     Command command;
     for (const std::string goal : json.at("goals"))
         command.goals.push_back(
             named(goal,
-                  {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames, Goal::kSweep,
-                   Goal::kTurntable, Goal::kFilm},
+                  std::vector{Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames,
+                              Goal::kSweep, Goal::kTurntable, Goal::kFilm},
                   "goals"));
     Request& request = command.request;
-    request.quality =
-        named(json.at("quality").get<std::string>(),
-              {Quality::kDraft, Quality::kPreview, Quality::kFinal}, "quality");
+    request.quality = named(json.at("quality").get<std::string>(),
+                            values_in(render::kQualities), "quality");
     request.overrides = json.at("set").get<std::vector<std::string>>();
     if (json.contains("size")) {
         const Json& size = json.at("size");
@@ -99,11 +96,8 @@ Command command_of(const Json& json) {
         request.frames = {first, last};
     }
     if (json.contains("style"))
-        request.preview =
-            named(json.at("style").get<std::string>(),
-                  {Style::kNatural, Style::kGrey, Style::kHeight, Style::kSlope,
-                   Style::kInk, Style::kContours, Style::kRadiance},
-                  "style");
+        request.preview = named(json.at("style").get<std::string>(),
+                                values_in(render::kStyles), "style");
     request.explain = json.value("explain", false);
     request.first_camera_only = json.value("first_camera_only", false);
     if (json.contains("export")) request.export_as = export_of(json.at("export"));

@@ -16,7 +16,7 @@
 #include "field/svg_paths.h"
 #include "render/embree/preview_frame.h"
 #include "render/frames/frame.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 namespace fs = std::filesystem;
 

@@ -16,7 +16,7 @@
 #include "field/data.h"
 #include "field/error.h"
 #include "field/files.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace fs = std::filesystem;
 

@@ -11,7 +11,7 @@
 #include "bench/measure.h"
 #include "field/progress.h"
 #include "field/svg.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"
@@ -99,8 +99,9 @@ void lay_land(const Terrain& land, const View& view, int x, Field<Rgb8>& page) {
     const ScratchFolder scratch;
     std::filesystem::create_directory(scratch.path() / "frames");
     const render::Options options;
-    render::write_pov_assets(scratch.path(), land, options.ground,
-                             render::Quality::kDraft);
+    render::write_pov_assets(
+        scratch.path(), land,
+        render::land_maps(land, options.ground, render::Quality::kDraft));
     lay(frame(scratch.path(), land, from_above(view), options), x, kCaption, page);
     lay(frame(scratch.path(), land, close_up(view), options), x,
         kCaption + kHeight + kGap, page);

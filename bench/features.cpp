@@ -17,7 +17,7 @@
 #include "field/image.h"
 #include "field/quantise.h"
 #include "field/random.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 #include "render/shadow/caster.h"
 #include "render/shadow/overlay.h"
 #include "render/shadow/score.h"

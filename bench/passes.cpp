@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/measure.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/embree/preview_frame.h"
 #include "render/frames/frame.h"
 #include "render/ground/ground.h"
@@ -29,8 +29,8 @@ int main() try {
     const double built = all.seconds();
     const Field<SeenPoint> points = view.seen(CameraRays(camera), true);
     const double seen = all.seconds();
-    const auto layers = passes(view, points, {radians(315.0), radians(25.0)}, maps,
-                               {std::begin(kAllPasses), std::end(kAllPasses)});
+    const auto layers =
+        passes(view, points, {radians(315.0), radians(25.0)}, maps, values_in(kPasses));
     const double filled = all.seconds();
     const bench::ScratchFolder folder;
     write_passes(folder.path() / "a.exr", beauty, layers, camera.width, camera.height,

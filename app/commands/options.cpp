@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <map>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands/commands.h"
 #include "config/reader/scene.h"
@@ -20,6 +22,14 @@ class Formatter final : public CLI::Formatter {
         return option->get_type_name().empty() ? "" : " " + option->get_type_name();
     }
 };
+
+// The names of an enum's table.
+template <class E, std::size_t N>
+CLI::Validator is_one_of(const Name<E> (&table)[N]) {
+    std::vector<std::string> names;
+    for (const Name<E>& row : table) names.emplace_back(row.name);
+    return CLI::IsMember(std::move(names)).description("");
+}
 
 }  // namespace
 
@@ -58,20 +68,15 @@ CLI::Option* add_scene(CLI::App& command, Request& request) {
 }
 
 void add_effort_options(CLI::App& command, Request& request) {
-    using render::Quality;
-    static const std::map<std::string, Quality> kQualities = {
-        {"draft", Quality::kDraft},
-        {"preview", Quality::kPreview},
-        {"final", Quality::kFinal}};
     const auto take = [&request](const std::string& name) {
-        request.quality = kQualities.at(name);
+        request.quality = *value_in(render::kQualities, name);
     };
-
     command
         .add_option_function<std::string>(
             "--quality", take,
-            fmt::format("draft, preview or final [{}]", name_of(request.quality)))
-        ->check(CLI::IsMember(kQualities).description(""))
+            fmt::format("{} [{}]", choices_in(render::kQualities),
+                        name_of(request.quality)))
+        ->check(is_one_of(render::kQualities))
         ->type_name("NAME");
     command.add_option("--threads", request.threads, "use at most N threads [all]")
         ->check(CLI::Range(1, 1024).description(""))
@@ -90,14 +95,9 @@ void add_making_options(CLI::App& command, Request& request) {
 }
 
 void add_engine(CLI::App& command, Request& request) {
-    using render::Style;
-    static const std::map<std::string, Style> kStyles = {
-        {"natural", Style::kNatural},  {"grey", Style::kGrey},
-        {"height", Style::kHeight},    {"slope", Style::kSlope},
-        {"ink", Style::kInk},          {"contours", Style::kContours},
-        {"radiance", Style::kRadiance}};
     const auto engine = [&request](const std::string& name) {
-        if (name == "embree" && !request.preview) request.preview = Style::kNatural;
+        if (name == "embree" && !request.preview)
+            request.preview = render::Style::kNatural;
     };
     command
         .add_option_function<std::string>(
@@ -105,12 +105,13 @@ void add_engine(CLI::App& command, Request& request) {
         ->check(CLI::IsMember({"povray", "embree"}).description(""))
         ->type_name("NAME");
     const auto style = [&request](const std::string& name) {
-        request.preview = kStyles.at(name);
+        request.preview = value_in(render::kStyles, name);
     };
     command
         .add_option_function<std::string>(
-            "--style", style, "of embree: natural, grey, ink, contours, ... [natural]")
-        ->check(CLI::IsMember(kStyles).description(""))
+            "--style", style,
+            fmt::format("of embree: {} [natural]", choices_in(render::kStyles)))
+        ->check(is_one_of(render::kStyles))
         ->type_name("NAME")
         ->needs("--engine");
 }

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 namespace cydonia::slurm {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::seconds kTimeLimit{120};  // a controller may be slow to answer
 constexpr std::size_t kMostOutput = 64u << 20;
 
@@ -44,17 +42,17 @@ Answer ask(const char* name, const std::vector<std::string>& arguments,
             "(package slurm-client); --dry-run prints what would be handed in",
             name);
     Answer answer;
-    const auto deadline = Clock::now() + kTimeLimit;
-    render::Child child(*program, arguments, folder);
-    while (child.read(answer.text, std::chrono::milliseconds(100))) {
-        if (interrupt_signal() != 0) throw Interrupted{};
-        if (Clock::now() > deadline)
-            throw failure("{} gave no answer within {} s: is Slurm's controller up?",
-                          name, kTimeLimit.count());
-        if (answer.text.size() > kMostOutput)
-            throw failure("{} answers without an end", name);
-    }
-    answer.outcome = child.outcome();
+    const auto outcome = render::outcome_of(
+        *program, arguments, folder, kTimeLimit, [&](std::string& output) {
+            if (interrupt_signal() != 0) throw Interrupted{};
+            if (output.size() > kMostOutput)
+                throw failure("{} answers without an end", name);
+            answer.text = output;
+        });
+    if (!outcome)
+        throw failure("{} gave no answer within {} s: is Slurm's controller up?", name,
+                      kTimeLimit.count());
+    answer.outcome = *outcome;
     answer.text = trimmed(std::move(answer.text));
     return answer;
 }

@@ -5,9 +5,10 @@
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
-#include "render/camera_view.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
+#include "render/cameras/view.h"
 #include "render/pov/scene.h"
+#include "render/scene/files.h"
 
 namespace fs = std::filesystem;
 
@@ -35,8 +36,9 @@ Made emit_assets(Job& job) {
     const Terrain& land = job.land.drawn();
     const Heights16 heights = quantised(land.heights);
     return {
-        in_pov(render::write_pov_assets(job.folder / "pov", land, job.spec.render.ground,
-                                        job.request.quality)),
+        in_pov(render::write_pov_assets(
+            job.folder / "pov", land,
+            render::land_maps(land, job.spec.render.ground, job.request.quality))),
         {{"heights.png",
           {{"samples", {land.heights.width(), land.heights.height()}},
            {"metres", {{"offset", heights.base}, {"scale", heights.range / 65535.0}}}}}}};
@@ -90,7 +92,7 @@ std::vector<render::CameraOptions> pictures_of(const render::CameraOptions& came
     if (of.moments.empty()) return {camera};
     std::vector<render::CameraOptions> pictures = of.moments;
     for (std::size_t i = 0; i < pictures.size(); ++i)
-        pictures[i].name = fmt::format("{}-s{:03}", camera.name, i + 1);
+        pictures[i].name = render::moment_name(camera.name, static_cast<int>(i) + 1);
     return pictures;
 }
 

@@ -14,6 +14,7 @@
 #include "field/rgb.h"
 #include "render/frames/frame.h"
 #include "render/frames/povray.h"
+#include "render/scene/files.h"
 
 namespace fs = std::filesystem;
 
@@ -100,13 +101,15 @@ void trace_pictures(const Job& job, const fs::path& folder,
         const std::string& name = pictures[i].name;
         render::run_povray(folder, name, of.threads ? of.threads : thread_count(),
                            time_limit(job.request.quality), part);
-        const Field<Rgb> picture = whole(folder / (name + ".exr"));
+        const Field<Rgb> picture =
+            whole(folder / render::file_of(name, render::ShotFile::kFrame));
         if (of.moments.empty()) return;
         mean.add(picture);
         std::error_code none;
-        fs::remove(folder / (name + ".exr"), none);
+        fs::remove(folder / render::file_of(name, render::ShotFile::kFrame), none);
     }
-    write_exr(folder / (camera.name + ".exr"), std::move(mean).get());
+    write_exr(folder / render::file_of(camera.name, render::ShotFile::kFrame),
+              std::move(mean).get());
 }
 
 Made trace(Job& job, const render::CameraOptions& camera, const FrameOf& of) {
@@ -150,11 +153,6 @@ std::uint64_t pixels_of(const render::CameraOptions& camera) {
 }
 
 }  // namespace
-
-std::string_view name_of(render::Quality quality) {
-    constexpr std::string_view kNames[] = {"draft", "preview", "final"};
-    return kNames[static_cast<int>(quality)];
-}
 
 std::uint64_t ocio_hash() {
     const char* ocio = std::getenv("OCIO");

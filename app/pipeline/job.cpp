@@ -8,7 +8,7 @@
 #include "app/pipeline/report_step.h"
 #include "app/pipeline/tiles.h"
 #include "app/sequence/steps.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace fs = std::filesystem;
 

@@ -63,10 +63,4 @@ std::vector<Step> preview_steps(Job& job) {
     return steps;
 }
 
-std::string_view name_of(render::Style style) {
-    constexpr std::string_view kNames[] = {"natural", "grey",     "height",  "slope",
-                                           "ink",     "contours", "radiance"};
-    return kNames[static_cast<int>(style)];
-}
-
 }  // namespace cydonia

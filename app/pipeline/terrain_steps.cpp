@@ -8,8 +8,9 @@
 #include "app/pipeline/memory.h"
 #include "app/threads.h"
 #include "field/dem.h"
+#include "field/file_names.h"
 #include "field/files.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 namespace fs = std::filesystem;
 
@@ -66,12 +67,17 @@ Made export_terrain(Job& job) {
     write_png(job.folder / "preview.png", render::hillshade(terrain));
     const auto masks = masks_of(terrain);
     if (!masks.empty() || !terrain.pictures.empty()) make_folder(job.folder / "masks");
+    std::vector<std::string> names;
+    for (const auto& [name, mask] : masks) names.push_back(name);
+    for (const auto& [name, picture] : terrain.pictures) names.push_back(name);
+    names = file_names_of(names);
+    auto file = names.begin();
     for (const auto& [name, mask] : masks) {
-        made.outputs.push_back(fmt::format("masks/{}.png", name));
+        made.outputs.push_back(fmt::format("masks/{}.png", *file++));
         write_png(job.folder / made.outputs.back(), mask_levels(mask));
     }
     for (const auto& [name, picture] : terrain.pictures) {
-        made.outputs.push_back(fmt::format("masks/{}.png", name));
+        made.outputs.push_back(fmt::format("masks/{}.png", *file++));
         write_png(job.folder / made.outputs.back(), picture);
     }
     say_figures(terrain, job.progress);

@@ -14,7 +14,7 @@
 #include "field/error.h"
 #include "field/files.h"
 #include "field/tiled.h"
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 namespace fs = std::filesystem;
 

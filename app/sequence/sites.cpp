@@ -110,8 +110,9 @@ std::shared_ptr<const Site> Sites::at(std::uint64_t key, const config::SceneSpec
         own = std::make_shared<const Own>(folder, land.drawn());
         if (!job_.request.preview) {  // of POV-Ray
             make_folder(folder);
-            render::write_pov_assets(folder, own->terrain, scene.render.ground,
-                                     job_.request.quality);
+            render::write_pov_assets(folder, own->terrain,
+                                     render::land_maps(own->terrain, scene.render.ground,
+                                                       job_.request.quality));
         }
         made_[key] = own;
     }

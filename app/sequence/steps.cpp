@@ -11,7 +11,7 @@
 #include "app/sequence/plan.h"
 #include "app/sequence/reel.h"
 #include "field/error.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/frames/povray.h"
 #include "render/frames/video.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "field/error.h"
-#include "render/camera_path.h"
+#include "render/cameras/path.h"
 
 namespace cydonia {
 namespace {

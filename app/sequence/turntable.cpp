@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "render/camera_path.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
+#include "render/cameras/path.h"
 
 namespace cydonia {
 namespace {

@@ -9,22 +9,12 @@ using render::CameraOptions;
 
 namespace {
 
-// Keys are moments themselves: what they hold is the same in every frame.
+// The values of camera keys cannot vary in time, because the keys themselves are moments.
 template <class Unit>
 struct Fixed : Unit {
     static constexpr bool kVaries = false;
 };
 using KeyFrame = Fixed<Number>;
-
-constexpr Name<CameraOptions::Kind> kCameraKinds[] = {
-    {"overhead", CameraOptions::Kind::kOverhead},
-    {"oblique", CameraOptions::Kind::kOblique},
-    {"orbit", CameraOptions::Kind::kOrbit},
-    {"look_at", CameraOptions::Kind::kLookAt},
-    {"stand", CameraOptions::Kind::kStand},
-    {"path", CameraOptions::Kind::kPath},
-    {"drawing", CameraOptions::Kind::kDrawing},
-};
 
 constexpr std::size_t kMostKeys = 1024;
 constexpr const char* kPerspective = "a camera with perspective";
@@ -57,7 +47,7 @@ void read_shutter(Table& t, CameraOptions& camera) {
     t.field("shutter_samples", camera.shutter_samples, Whole{1, 256});
 }
 
-// Where the camera is.
+// Reads the position of the camera.
 void read_place(Table& t, CameraOptions& camera) {
     using Kind = CameraOptions::Kind;
     t.field("azimuth", camera.azimuth, kAzimuth);
@@ -96,7 +86,7 @@ void read_place(Table& t, CameraOptions& camera) {
             "it looks at its target or along heading and pitch; leave one out");
 }
 
-// In order of frames, so that no key stands where another is meant.
+// Checks that the keys are in the order of their frames.
 void check_order(Table& t, const CameraOptions& camera) {
     const auto& keys = camera.keys;
     t.check(camera.kind != CameraOptions::Kind::kPath || keys.size() >= 2,
@@ -121,7 +111,7 @@ void read(Table& t, CameraKey& key) {
 
 void read(Table& t, CameraOptions& camera) {
     t.required("name", camera.name, Word{});
-    t.field("kind", camera.kind, one_of(kCameraKinds));
+    t.field("kind", camera.kind, one_of(render::kCameraKinds));
     read_place(t, camera);
     check_order(t, camera);
     read_lens(t, camera);

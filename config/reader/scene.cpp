@@ -10,6 +10,7 @@
 #include "config/reader/parse.h"
 #include "config/reader/readers.h"
 #include "field/error.h"
+#include "field/file_names.h"
 #include "field/files.h"
 
 namespace cydonia::config {
@@ -31,17 +32,17 @@ constexpr std::size_t kMostKeyFrames = 4096;
 // scenes/text/scene.toml is called text, scenes/foo.toml foo.
 std::string scene_name(const fs::path& file) {
     const bool in_folder = file.filename() == "scene.toml";
-    std::string name =
+    const std::string name =
         in_folder
             ? fs::absolute(file).lexically_normal().parent_path().filename().string()
             : file.stem().string();
-    const auto safe = [](unsigned char c) {
-        return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
-    };
-    for (char& c : name)
-        if (!safe(static_cast<unsigned char>(c))) c = '_';
-    name.resize(std::min<std::size_t>(name.size(), 64));
-    return name.empty() ? "scene" : name;
+    const bool is_plain =
+        !name.empty() && name.size() <= 64 &&
+        std::ranges::all_of(name, [](unsigned char c) {
+            return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
+        });
+    if (is_plain) return name;
+    return name.empty() ? "scene" : file_name_of(name);
 }
 
 void read(Table& t, SceneSpec& scene) {
@@ -103,8 +104,8 @@ Scene Scene::load(const fs::path& file, const std::vector<std::string>& override
     std::ranges::move(reading.mistakes, std::back_inserter(mistakes));
     throw_mistakes(std::move(mistakes), origins);
 
-    // Values are linear between keys, and so are the differences that checks between
-    // values look at: what holds at every key holds at every frame.
+    // Values are linear between keys, and so are the differences that checks compare. A
+    // check that holds at every key therefore holds at every frame.
     if (reading.key_frames.size() > kMostKeyFrames)
         throw bad_request("{}: keys at {} frames are too many; at most {}", origins.file,
                           reading.key_frames.size(), kMostKeyFrames);

@@ -25,7 +25,7 @@ std::filesystem::path config_file(const ColourOptions& options) {
     return data_file("ocio/config.ocio");
 }
 
-// OpenColorIO's messages have several lines, ours one.
+// Joins the lines of a message of OpenColorIO.
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text.substr(0, text.find_last_not_of(' ') + 1);
@@ -63,7 +63,7 @@ std::vector<std::string> views_of(const OCIO::Config& config,
     return names;
 }
 
-// The wish, or the default when nothing is wished for.
+// The chosen name, or the default when none is chosen.
 std::string chosen(const std::string& what, const std::string& wish,
                    const std::string& otherwise, const std::vector<std::string>& names) {
     const std::string& choice = wish.empty() ? otherwise : wish;
@@ -72,7 +72,8 @@ std::string chosen(const std::string& what, const std::string& wish,
                       fmt::format("{}", fmt::join(names, ", ")));
 }
 
-// The colour space our values enter by. Configs have called those we know by many names.
+// The colour space in which frames enter. Configs have many names for ACEScg and linear
+// Rec.709.
 struct Entrance {
     const char* space;
     enum class Primaries { kAcesCg, kRec709, kAces2065 } primaries;
@@ -82,10 +83,10 @@ Entrance entrance_of(const OCIO::Config& config, const std::filesystem::path& fi
     using enum Entrance::Primaries;
     for (const char* name : {"ACEScg", "ACES - ACEScg", "lin_ap1"})
         if (config.getColorSpace(name)) return {name, kAcesCg};
-    // A role since OpenColorIO 2, there for this.
+    // OpenColorIO 2 has a role for this purpose.
     for (const char* name : {"aces_interchange", "ACES2065-1", "ACES - ACES2065-1"})
         if (config.getColorSpace(name)) return {name, kAces2065};
-    // Blender's and Nuke's own configs say no more than "linear", and mean Rec.709.
+    // The configs of Blender and Nuke call linear Rec.709 just "linear".
     for (const char* name :
          {"lin_rec709_srgb", "lin_rec709", "lin_srgb", "Linear Rec.709 (sRGB)",
           "Linear Rec.709", "Utility - Linear - Rec.709", "Utility - Linear - sRGB",
@@ -158,7 +159,7 @@ Display::Display(const ColourOptions& options) {
     try {
         transform_ = std::make_unique<Transform>(
             Transform{processor_of(*config, entrance, display_, view_)});
-    } catch (const OCIO::Exception& error) {  // a table file it names is missing
+    } catch (const OCIO::Exception& error) {  // a file that the config names is missing
         refuse(file, error);
     }
 }

@@ -10,16 +10,16 @@
 
 namespace cydonia::render {
 
-// What light an ACEScg value stands for, relative to white (the Y of AP1).
+// The luminance of an ACEScg value relative to white (the Y of AP1).
 float luminance(const Rgb& acescg);
 
-// ACEScg as one view of one display of an OCIO config shows it.
+// Converts ACEScg to one view of one display of an OCIO config.
 class Display {
   public:
-    // The config is `options.config`, else $OCIO, else the shipped one; display and view
-    // are its defaults unless named. Throws bad_request, naming the file, when it is
-    // missing or broken or has no colour space for ACEScg, and when it has no such
-    // display or view: the message lists what there is.
+    // The config is `options.config`, or else $OCIO, or else the shipped one. Display and
+    // view default to those of the config. Throws bad_request, naming the file, when the
+    // config is missing, broken or has no colour space for ACEScg, and, listing what
+    // there is, when it has no such display or view.
     explicit Display(const ColourOptions& options);
     ~Display();
     Display(const Display&) = delete;
@@ -28,7 +28,7 @@ class Display {
     const std::string& display() const { return display_; }
     const std::string& view() const { return view_; }
 
-    Rgb shown(const Rgb& acescg) const;  // 0 to 1 is what a display can show
+    Rgb shown(const Rgb& acescg) const;  // a display shows 0 to 1
     Field<Rgb8> shown(Field<Rgb> acescg) const;
 
   private:

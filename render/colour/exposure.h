@@ -6,13 +6,13 @@
 
 namespace cydonia::render {
 
-// EV that a frame of ACEScg gets by itself: its 90th percentile of light is shown as 0.5
-// of white before the view, six stops up or down at most. 0 for a black frame.
+// The exposure in EV that a frame of ACEScg needs to put the 90th percentile of its light
+// at 0.5 of white before the view, between -6 and 6. It is 0 for a black frame.
 double own_stops(const Field<Rgb>& acescg);
 
-// One exposure for all frames of a sequence, from what each gets by itself: the middle
-// one, so that the sequence does not flicker and no single frame (the sun behind a ridge)
-// moves it. At least one frame; those of every tenth are as good as all.
+// One exposure for all frames of a sequence: the median of the frames' own exposures. The
+// sequence then does not flicker, and no single frame (the sun behind a ridge) changes
+// it. Needs at least one frame; every tenth frame is enough.
 double steady_stops(std::vector<double> own);
 
 }  // namespace cydonia::render

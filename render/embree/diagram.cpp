@@ -21,9 +21,9 @@ constexpr Rgb kSlopes[] = {{0.35f, 0.35f, 0.35f},
                            {0.08f, 0.30f, 0.06f},
                            {0.55f, 0.06f, 0.04f},
                            {0.80f, 0.65f, 0.06f}};
-constexpr double kSteepest = 60.0;           // degrees: the last of kSlopes
+constexpr double kSteepest = 60.0;           // degrees, shown in the last of kSlopes
 constexpr Rgb kAround{0.25f, 0.25f, 0.25f};  // what is not land
-constexpr Rgb kPaper{0.90f, 0.88f, 0.82f};   // of ink and contours
+constexpr Rgb kPaper{0.90f, 0.88f, 0.82f};   // the background of ink and contours
 constexpr Rgb kInk{0.015f, 0.015f, 0.02f};
 constexpr Rgb kWater{0.05f, 0.15f, 0.35f};
 constexpr Rgb kContourLine{0.22f, 0.09f, 0.03f};
@@ -31,7 +31,7 @@ constexpr Rgb kGridLine{0.05f, 0.14f, 0.35f};
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// Colours at even distances along a line from 0 to 1.
+// A colour between evenly spaced ones; `at` runs from 0 (first) to 1 (last).
 Rgb of_palette(std::span<const Rgb> colours, double at) {
     const auto last = static_cast<double>(colours.size() - 1);
     const double x = std::clamp(at, 0.0, 1.0) * last;
@@ -43,8 +43,9 @@ bool is_land(const SeenPoint& p) {
     return p.surface == Surface::kLand || p.surface == Surface::kSide;
 }
 
-// The neighbours on both sides along x or y, `step` pixels off; where one is missing,
-// not ground, or behind a crest, the point itself.
+// The neighbours before and after a pixel in the direction (dx, dy). A neighbour that is
+// outside the frame, of another surface or behind a crest is replaced by the pixel
+// itself.
 struct Beside {
     const SeenPoint &before, &after;
     double apart;  // pixels
@@ -63,8 +64,8 @@ Beside beside(const Points& points, int x, int y, int dx, int dy) {
     return {before, after, double(sides * (std::abs(dx) + std::abs(dy)))};
 }
 
-// How much of a pixel a line covers, at every multiple of `interval` of a value; `wide`
-// pixels. None where they come closer than they can be told apart.
+// The share of a pixel that is covered by lines, `wide` pixels wide, where a value is a
+// multiple of `interval`. Lines fade out where they are too close to be told apart.
 template <class Value>
 double line(const Points& points, int x, int y, double interval, double wide,
             const Value& value) {
@@ -138,7 +139,7 @@ class Diagram {
         return shade * kWater;
     }
 
-    // Light as on relief maps, every fifth line stronger.
+    // Shaded as a relief map, with every fifth contour line stronger.
     Rgb contoured(int x, int y, const Rgb& paper) const {
         const SeenPoint& p = points_(x, y);
         const double lit = std::max(0.0, dot(vec(p.normal), to_sun_));
@@ -176,8 +177,8 @@ class Diagram {
                (a + d * (e - a * (1.0 + e)));
     }
 
-    // Strokes down the slope; along the edge where the ground is seen at a low angle, as
-    // Brosz turns them. The darker and the lower the angle, the more.
+    // Strokes run down the slope, and along edges where the ground is seen at a low angle
+    // (Brosz 2007, section 6). There are more where it is darker or the angle is lower.
     void draw_ink(Field<Rgb>& frame) const {
         constexpr int kApart = 4;  // pixels
         Field<float> ink(frame.width(), frame.height());
@@ -212,7 +213,7 @@ class Diagram {
             frame[i] = mixed(frame[i], kInk, ink[i]);
     }
 
-    // The nearer of two surfaces that meet here in the frame alone.
+    // Whether a nearer surface ends here before a farther one.
     bool is_edge(int x, int y) const {
         const SeenPoint& p = points_(x, y);
         if (!is_land(p)) return false;
@@ -228,9 +229,9 @@ class Diagram {
     void stroke(Field<float>& ink, int x, int y, const Vec3& way, double length,
                 float strength) const {
         const SeenPoint& p = points_(x, y);
-        const auto from = rays_.place_of(vec(p.at));
+        const auto from = rays_.project(vec(p.at));
         const double step = 1e-3 * std::max(1.0, double(p.depth));
-        const auto to = rays_.place_of(vec(p.at) + step * way);
+        const auto to = rays_.project(vec(p.at) + step * way);
         const double far = std::hypot(to.x - from.x, to.y - from.y);
         if (far < 1e-9) return;
         const double dx = (to.x - from.x) / far, dy = (to.y - from.y) / far;

@@ -2,17 +2,17 @@
 
 #include "field/image.h"
 #include "render/embree/style.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 
 namespace cydonia::render {
 
-// The land alone, without things or shadows, in a style that shows its form: any but
-// natural. For a screen as it is: sRGB. Throws bad_request as View does.
+// Draws the land alone, without things or shadows, in a style that shows its form (any
+// but Style::kNatural). The picture is sRGB. Throws bad_request as View does.
 Field<Rgb8> diagram(const Shot& shot, const Terrain& terrain, Style style);
 
-// 1, 2 or 5 times a power of ten, metres: at least `least`.
+// The smallest of 1, 2 and 5 times a power of ten that is at least `least`, metres.
 double round_interval(double least);
-// Metres between a diagram's lines of equal height, and between those of its grid.
+// The distances in metres between a diagram's contour lines and between its grid lines.
 double contour_interval(const Terrain& terrain);
 double grid_interval(const Terrain& terrain);
 

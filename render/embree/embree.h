@@ -1,6 +1,6 @@
 #pragma once
 
-// What all that casts rays by Embree shares; for .cpp files alone.
+// What all code that casts rays with Embree shares. Only .cpp files include it.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -19,13 +19,13 @@
 
 namespace cydonia::render::embree {
 
-// Embree's objects count references.
+// Embree counts references to its objects.
 template <class Object, auto kRelease>
 using Handle = std::unique_ptr<std::remove_pointer_t<Object>, Released<kRelease>>;
 using Device = Handle<RTCDevice, rtcReleaseDevice>;
 using Scene = Handle<RTCScene, rtcReleaseScene>;
 
-// As Embree's grid geometry wants them.
+// The layout that Embree's grid geometry expects.
 struct Vertex {
     float x, y, z;
 };
@@ -34,8 +34,8 @@ inline Vertex vertex(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Rays that run along the mesh's own lines would else slip between two triangles: up to
-// 4% of the samples at azimuths 90, 135 and 315.
+// Without the robust flag rays that run along the lines of the mesh slip between two
+// triangles: up to 4% of the samples at azimuths 90, 135 and 315.
 inline Scene new_scene(RTCDevice device) {
     Scene scene(rtcNewScene(device));
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
@@ -43,10 +43,9 @@ inline Scene new_scene(RTCDevice device) {
 }
 inline Scene new_scene(const Device& device) { return new_scene(device.get()); }
 
-// Adds a grid of height rows of width vertices. Laid from south to north its squares are
-// split NW-SE, as in POV-Ray.
-// fill(vertices) writes them, row by row. Gives the scene's own vertices, null without
-// memory.
+// Adds a grid of `height` rows of `width` vertices. When rows run from south to north its
+// squares are split NW-SE, as in POV-Ray. fill(vertices) writes the vertices row by row.
+// Returns the scene's own vertices, or null when there is no memory.
 template <class Fill>
 const Vertex* lay_grid(const Device& device, const Scene& scene, int width, int height,
                        const Fill& fill) {
@@ -66,7 +65,8 @@ const Vertex* lay_grid(const Device& device, const Scene& scene, int width, int 
     return laid;
 }
 
-// Adds a scene to another; `columns` are where its x, y and z axes and its origin go.
+// Adds an instance of a scene to another. `columns` are the images of its x, y and z axes
+// and of its origin.
 inline void lay_instance(RTCDevice device, RTCScene scene, RTCScene what,
                          const std::array<float, 12>& columns) {
     const Handle<RTCGeometry, rtcReleaseGeometry> instance(
@@ -78,8 +78,8 @@ inline void lay_instance(RTCDevice device, RTCScene scene, RTCScene what,
     rtcAttachGeometry(scene, instance.get());
 }
 
-// How rays are followed. Of scenes of instances one by one: followed together through
-// them, those of Embree 3.13 may never come back.
+// How a packet is traced. In scenes of instances each ray is traced alone, because
+// packets of Embree 3.13 may never return from them.
 enum class Follow { kTogether, kAlone };
 
 #if RTC_VERSION_MAJOR >= 4
@@ -94,7 +94,7 @@ inline RTCIntersectContextFlags flags(Follow follow) {
 }
 #endif
 
-// Marks the rays of a packet that meet the scene: tfar becomes -inf.
+// Marks the rays of a packet that the scene occludes: their tfar becomes -inf.
 inline void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays,
                           Follow follow = Follow::kTogether) {
 #if RTC_VERSION_MAJOR >= 4
@@ -110,7 +110,7 @@ inline void mark_occluded(RTCScene scene, const int* valid, RTCRay16& rays,
 #endif
 }
 
-// Finds where each ray of a packet first meets the scene: its tfar, and hit.geomID.
+// Finds the first hit of each ray of a packet: its tfar and the fields of `hit`.
 inline void find_hits(RTCScene scene, const int* valid, RTCRayHit16& rays,
                       Follow follow = Follow::kTogether) {
 #if RTC_VERSION_MAJOR >= 4

@@ -7,27 +7,24 @@
 #include "field/parallel.h"
 #include "field/rgb.h"
 #include "field/sample.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/ground/ground.h"
 #include "render/passes/view.h"
-#include "render/pov/pieces.h"
+#include "render/scene/water.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
 namespace {
 
-constexpr int kLongestGround = 512;  // samples a side that are painted
+constexpr int kLongestGround =
+    512;  // samples a side of the land whose colours are computed
 constexpr int kDomeHeight = 64;
-constexpr double kWaterIndex = 1.33;
-constexpr Rgb kWaterVeil{0.02f, 0.08f, 0.11f};  // as the .pov's water has it
-constexpr float kWaterClear = 0.8f;
-constexpr Rgb kFlood{0.004f, 0.016f, 0.022f};  // which nothing is seen through
-constexpr double kAmongLeaves = 0.5;           // of the sky that the place sees
+constexpr double kAmongLeaves = 0.5;  // share of the visible sky that reaches things
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// The land with so many samples as a preview can show the colours of.
+// The land, reduced to the samples whose colours a preview can show.
 Terrain painted(const Terrain& t) {
     const int w = t.heights.width(), h = t.heights.height();
     const int step = (std::max(w, h) + kLongestGround - 1) / kLongestGround;
@@ -61,7 +58,7 @@ Rgb bilinear(const Field<Rgb>& map, double x, double y, bool wraps) {
                  mixed(map(i0, j1), map(i1, j1), x - i), y - j);
 }
 
-// Unpolarised light from air onto water.
+// The share of unpolarised light that water reflects, by the cosine of incidence.
 double fresnel(double cosine) {
     const double other =
         std::sqrt(1.0 - (1.0 - cosine * cosine) / (kWaterIndex * kWaterIndex));
@@ -92,14 +89,14 @@ class PreviewLand::Parts {
         albedo = ground_albedo(small, shot.options.ground, 1);
         for (const Rgb& colour : albedo)
             mean = mean + (1.0 / static_cast<double>(albedo.size())) * colour;
-        // Smooth enough for every other of those.
+        // The map is smooth: half the resolution is enough.
         const Field<float> rough =
             resized(small.heights, std::max(2, small.heights.width() / 2),
                     std::max(2, small.heights.height() / 2));
         sky_visible = sky_visibility(rough, terrain.width() / rough.width());
     }
 
-    // What a sun and its sky give; shots in a row often share it.
+    // The light of a sun and its sky, kept because consecutive shots often share it.
     const Light& light(const Shot& shot) {
         if (!light_ || !(light_->sun == shot.sun)) light_.emplace(shot);
         return *light_;
@@ -108,7 +105,7 @@ class PreviewLand::Parts {
     View view;
     float lowest;
     Field<Rgb> albedo;
-    Rgb mean{};  // of it
+    Rgb mean{};  // of the albedo
     Field<float> sky_visible;
 
   private:
@@ -124,8 +121,8 @@ class PreviewLand::Picture {
           view_(land.view),
           rays_(shot.camera),
           to_sun_(direction_to(shot.sun)) {
-        if (!pov::has_haze(shot)) return;
-        air_ = pov::haze_light(shot);
+        if (!has_haze(shot)) return;
+        air_ = haze_light(shot);
         visibility_ =
             visibility(shot.options.sky, shot.options.haze, view_.terrain().width());
     }
@@ -147,7 +144,7 @@ class PreviewLand::Picture {
   private:
     Rgb sky(const Vec3& way) const {
         const double azimuth = std::atan2(way.x, way.y);  // from north
-        // As POV-Ray wraps it: from +x over +z, which is north.
+        // POV-Ray wraps the image from +x over +z, which is north.
         const double turn = 0.25 - azimuth / (2.0 * std::numbers::pi);
         const double elevation = std::asin(std::clamp(way.z, -1.0, 1.0));
         return bilinear(
@@ -186,16 +183,17 @@ class PreviewLand::Picture {
         return p.surface == Surface::kThing ? kAmongLeaves * seen : seen;
     }
 
-    // `sunlight`: the share that reaches it.
+    // `sunlight` is the share of the sun's light that reaches the point.
     Rgb natural(const SeenPoint& p, const Ray& ray, double sunlight) const {
-        if (p.surface == Surface::kSky) return sky(ray.direction);  // it holds its air
+        if (p.surface == Surface::kSky)
+            return sky(ray.direction);  // its image includes the haze
         const Vec3 normal = vec(p.normal);
         const double lit = sunlight * std::max(0.0, dot(normal, to_sun_));
         const Rgb falling =
             lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
         Rgb colour = ground(p);
         if (p.surface == Surface::kWater)
-            colour = is_flood(p) ? kFlood : mixed(kWaterVeil, colour, kWaterClear);
+            colour = is_flood(p) ? kFloodColour : mixed(kWaterVeil, colour, kWaterClear);
         Rgb seen = colour * falling;
         if (p.surface == Surface::kWater) {
             const Vec3 mirrored{ray.direction.x, ray.direction.y,
@@ -218,7 +216,7 @@ class PreviewLand::Picture {
     const View& view_;
     CameraRays rays_;
     Vec3 to_sun_;
-    Rgb air_{};                // what haze looks like in this direction
+    Rgb air_{};                // colour of the haze
     double visibility_ = 0.0;  // metres; 0: no haze
 };
 

@@ -3,16 +3,17 @@
 #include <memory>
 
 #include "field/image.h"
-#include "render/pov/scene.h"
+#include "render/scene/shot.h"
 
 namespace cydonia::render {
 
-// Frames by Embree, linear Rec.709 as POV-Ray's: one ray a pixel, the sun a point, light
-// from the sky by how much of it is seen, flat water that mirrors the sky.
+// Draws frames with Embree in linear Rec.709, as POV-Ray's are: one ray a pixel, a sun
+// without extent, skylight in proportion to the sky that is visible, and flat water that
+// reflects the sky.
 class PreviewLand {
   public:
-    // What all shots of a scene share; cameras and suns may differ. The terrain need not
-    // outlive the call. Throws bad_request as View does.
+    // Prepares what all shots of a scene share; cameras and suns may differ. The terrain
+    // need not outlive the call. Throws bad_request as View does.
     PreviewLand(const Shot& shot, const Terrain& terrain);
     ~PreviewLand();
     PreviewLand(PreviewLand&&) noexcept;
@@ -26,7 +27,7 @@ class PreviewLand {
     std::unique_ptr<Parts> parts_;
 };
 
-// A single one.
+// Draws a single frame.
 Field<Rgb> preview_frame(const Shot& shot, const Terrain& terrain);
 
 }  // namespace cydonia::render

@@ -10,7 +10,8 @@
 namespace cydonia::render {
 namespace {
 
-constexpr double kLeast = 0.16, kMost = 0.75;  // slopes: level ground's share, all of it
+constexpr double kLeast = 0.16,
+                 kMost = 0.75;  // slopes at which roughness is least and is 1
 constexpr double kLevel = 1.0 / 16.0;
 
 }  // namespace

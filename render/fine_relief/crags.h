@@ -6,9 +6,9 @@
 
 namespace cydonia::render {
 
-// One octave of broken ground of about a wavelength (metres): about -1 to 1, round in
-// half of the places and ridged in the others, times how rough the slope is: a sixteenth
-// on level ground, all of it on walls. Same shape as the heights.
+// One octave of broken ground at about a wavelength (metres), of the same shape as the
+// heights. Values are about -1 to 1, round in one half of the land and ridged in the
+// other, times a roughness that rises from a sixteenth on level ground to 1 on walls.
 Field<float> crags(const Field<float>& heights, double spacing, double wavelength,
                    std::uint64_t seed);
 

@@ -10,11 +10,12 @@
 namespace cydonia::render {
 namespace {
 
-constexpr double kCell = 2.5;    // diameters between the places where one may be
-constexpr double kShare = 0.55;  // of the places, taken
-constexpr double kThrown = 2.2;  // radii that the thrown-out reaches
+constexpr double kCell =
+    2.5;  // side of a lattice cell, in diameters; each may hold a crater
+constexpr double kShare = 0.55;  // of the cells that hold one
+constexpr double kThrown = 2.2;  // reach of the ejecta, in radii
 
-// At r radii from the middle, of a fresh crater of diameter 1.
+// The height of a fresh crater of diameter 1 at r radii from its middle.
 double profile(double r) {
     constexpr double kDepth = 0.2, kRim = 0.036;
     if (r >= kThrown) return 0.0;
@@ -23,16 +24,16 @@ double profile(double r) {
     const double thrown = kRim * left * left / std::max(1.0, r * r);
     if (r <= 0.9) return bowl;
     if (r >= 1.1) return thrown;
-    return std::lerp(bowl, thrown, smoothstep(0.9, 1.1, r));  // the rim is worn round
+    return std::lerp(bowl, thrown, smoothstep(0.9, 1.1, r));  // a rounded rim
 }
 
 struct Crater {
     float x, y;           // metres
     float radius = 0.0f;  // 0: none
-    float height = 0.0f;  // of the profile, metres
+    float height = 0.0f;  // scale of the profile, metres
 };
 
-// What may lie in a lattice cell.
+// The crater of a lattice cell, if it holds one.
 Crater crater_of(int i, int j, double cell, double diameter, std::uint64_t seed) {
     const std::uint64_t h = hash_of({seed, key("crater"), static_cast<std::uint64_t>(i),
                                      static_cast<std::uint64_t>(j)});
@@ -51,7 +52,7 @@ Field<float> craters(int width, int height, double spacing, double diameter,
     const double cell = kCell * diameter;
     const int across = static_cast<int>(width * spacing / cell) + 1;
     const int down = static_cast<int>(height * spacing / cell) + 1;
-    Field<Crater> lattice(across + 2, down + 2);  // one cell around the land
+    Field<Crater> lattice(across + 2, down + 2);  // with a margin of one cell
     for (int j = 0; j < down + 2; ++j)
         for (int i = 0; i < across + 2; ++i)
             lattice(i, j) = crater_of(i - 1, j - 1, cell, diameter, seed);

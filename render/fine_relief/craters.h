@@ -6,10 +6,11 @@
 
 namespace cydonia::render {
 
-// One octave of craters, `diameter` to half of it (metres), scattered as on old ground:
-// as many a diameter squared in every octave (N(>D) ~ D^-2), each of some age. Heights to
-// add, metres: a bowl of a fifth of its diameter when fresh, a rim and what it threw out
-// (Pike 1977, Size-dependence in the shape of fresh impact craters on the moon).
+// One octave of craters with diameters from half of `diameter` to `diameter` (metres), as
+// heights to add, metres. They are scattered as on old ground, with equally many per
+// diameter squared in every octave (N(>D) ~ D^-2), and differ in age. A fresh crater is a
+// bowl a fifth of its diameter deep, with a rim and ejecta (Pike 1977, Size-dependence in
+// the shape of fresh impact craters on the moon).
 Field<float> craters(int width, int height, double spacing, double diameter,
                      std::uint64_t seed);
 

@@ -17,10 +17,10 @@
 namespace cydonia::render {
 namespace {
 
-// Metres a metre of wavelength.
+// Amplitudes, over the wavelength.
 constexpr double kGullies = 0.06, kCrags = 0.045;
 constexpr int kMostFactor = 8;
-constexpr double kLeastCells = 4.0;  // of a wavelength
+constexpr double kLeastCells = 4.0;  // the shortest wavelength, in samples
 // The mean square rise between samples k and 2k apart grows by 2^(2H); of real mountains
 // H is 0.6 to 0.85 (Mark and Aronson 1984), of smooth ones 1.
 constexpr double kSmoothest = 0.85;
@@ -49,7 +49,7 @@ double mean_square_rise(const Field<float>& h, int apart) {
     return count ? sum / static_cast<double>(count) : 0.0;
 }
 
-// In samples: the wavelength from which on land has less form of its own than real land.
+// The wavelength, in samples, below which the land has less form than real land.
 double first_missing(const Field<float>& heights) {
     double cells = kLeastCells;
     double here = mean_square_rise(heights, 1);
@@ -75,8 +75,8 @@ Field<T> repeated(const Field<T>& field, int factor) {
     return result;
 }
 
-// Hard beds stand as walls, soft ones lie back as benches: a bed's lower part rises
-// little, its upper part much.
+// Terraces: hard beds are walls and soft beds are benches. The lower part of a bed rises
+// little and the upper part much.
 void cut_terraces(Field<float>& heights, const Field<float>& dry, double spacing,
                   double strength, double step, std::uint64_t seed) {
     const auto bed = [](double at) {
@@ -98,8 +98,8 @@ void cut_terraces(Field<float>& heights, const Field<float>& dry, double spacing
     });
 }
 
-// Of one level, on the land of the levels before it: octaves from `longest` (metres)
-// down.
+// The octaves of one level, from the wavelength `longest` (metres) down, on the land of
+// the levels before it.
 class Level {
   public:
     Level(const FineReliefOptions& options, const Field<float>& dry, double spacing,
@@ -148,8 +148,8 @@ Field<float> dry_share(const Terrain& terrain) {
     return dry;
 }
 
-// Water's level over the finer bed: the sample's own, or its wet neighbours' where the
-// bed between lies below it.
+// The level of water over the finer bed: that of the sample, or that of its wet
+// neighbours where the bed between them lies below it.
 Field<float> finer_water(const Terrain& coarse, const Field<float>& heights, int factor) {
     if (coarse.water.empty()) return {};
     Field<float> water(heights.width(), heights.height(), kDry);
@@ -193,7 +193,7 @@ Terrain with_fine_relief(const Terrain& terrain, const FineReliefOptions& option
     double wavelength = first_missing(terrain.heights) * terrain.spacing;
     for (int done = 1;; done *= 2) {
         const bool last = done == factor;
-        // An octave is drawn at the first level that has samples enough for it.
+        // An octave is drawn at the first level with enough samples for it.
         const double enough = (last ? kLeastCells : 2.0 * kLeastCells) * fine.spacing;
         const Level level(options, dry, fine.spacing,
                           hash_of({seed, key("fine relief")}));
@@ -216,7 +216,7 @@ Terrain with_fine_relief(const Terrain& terrain, const FineReliefOptions& option
         ShadowImage finer = image;
         finer.target = repeated(image.target, factor);
         if (!image.window.empty()) finer.window = repeated(image.window, factor);
-        if (!image.given_up.empty()) finer.given_up = repeated(image.given_up, factor);
+        if (!image.relaxed.empty()) finer.relaxed = repeated(image.relaxed, factor);
         fine.shadows.push_back(std::move(finer));
     }
     return fine;

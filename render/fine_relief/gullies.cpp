@@ -11,12 +11,15 @@
 namespace cydonia::render {
 namespace {
 
-constexpr float kCell = 1.3f;   // wavelengths between the stripes' origins
-constexpr float kReach = 1.5f;  // cells that an origin's stripes reach
-constexpr float kLeast = 0.14f, kMost = 0.75f;  // slopes with no gullies, with full ones
-constexpr float kWall = 1.1f, kSheer = 3.0f;    // where they fade to half: water falls
+constexpr float kCell = 1.3f;   // side of a lattice cell, in wavelengths
+constexpr float kReach = 1.5f;  // reach of the stripes of an origin, in cells
+constexpr float kLeast = 0.14f,
+                kMost = 0.75f;  // slopes at which gullies begin and are full
+constexpr float kWall = 1.1f,
+                kSheer =
+                    3.0f;  // slopes over which they fade to 0.4, since water falls there
 
-// cos and sin of 2 pi x, to 2e-4.
+// Cosine and sine of a phase in turns, accurate to 2e-4.
 struct Wave {
     float c, s;
 };
@@ -31,7 +34,7 @@ struct Origin {
     float x, y;
 };
 
-// One for every lattice cell, and one cell around them.
+// One origin for every lattice cell, with a margin of one cell.
 Field<Origin> origins(int across, int down, std::uint64_t seed) {
     Field<Origin> result(across + 2, down + 2);
     for (int j = 0; j < result.height(); ++j)
@@ -45,6 +48,24 @@ Field<Origin> origins(int across, int down, std::uint64_t seed) {
     return result;
 }
 
+// The blended stripes of all origins near the point (px, py) of the lattice; their phase
+// rises along (ax, ay), in turns a cell.
+Wave blended(const Field<Origin>& from, float px, float py, float ax, float ay) {
+    const int i = static_cast<int>(px), j = static_cast<int>(py);
+    Wave sum{0.0f, 0.0f};
+    for (int dj = 0; dj < 3; ++dj)
+        for (int di = 0; di < 3; ++di) {
+            const Origin& o = from(i + di, j + dj);
+            const float vx = px - o.x, vy = py - o.y;
+            const float near = 1.0f - (vx * vx + vy * vy) * (1.0f / (kReach * kReach));
+            if (near <= 0.0f) continue;
+            const Wave w = wave(vx * ax + vy * ay);
+            sum.c += near * near * w.c;
+            sum.s += near * near * w.s;
+        }
+    return sum;
+}
+
 }  // namespace
 
 Field<float> gullies(const Field<float>& heights, double spacing, double wavelength,
@@ -54,7 +75,8 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
     const Field<Origin> from =
         origins(static_cast<int>(lattice * static_cast<float>(width)) + 1,
                 static_cast<int>(lattice * static_cast<float>(height)) + 1, seed);
-    // A slope over half a wavelength: what is finer has no say in where water runs.
+    // Slopes are measured over half a wavelength, since finer form does not turn the
+    // water.
     const int step =
         std::max(1, static_cast<int>(std::lround(0.25 * wavelength / spacing)));
     const auto per_metre = static_cast<float>(0.5 / (step * spacing));
@@ -69,29 +91,17 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             const float slope =
                 std::sqrt(east_rise * east_rise + south_rise * south_rise);
             if (slope <= kLeast) continue;
-            // Across the fall, in turns a lattice cell.
+            // Across the slope, in turns a lattice cell.
             const float ax = -south_rise / slope * kCell, ay = east_rise / slope * kCell;
             const float px = (static_cast<float>(x) + 0.5f) * lattice;
             const float py = (static_cast<float>(y) + 0.5f) * lattice;
-            const int i = static_cast<int>(px), j = static_cast<int>(py);
-            float c = 0.0f, s = 0.0f;
-            for (int dj = 0; dj < 3; ++dj)
-                for (int di = 0; di < 3; ++di) {
-                    const Origin& o = from(i + di, j + dj);
-                    const float vx = px - o.x, vy = py - o.y;
-                    const float near =
-                        1.0f - (vx * vx + vy * vy) * (1.0f / (kReach * kReach));
-                    if (near <= 0.0f) continue;
-                    const Wave w = wave(vx * ax + vy * ay);
-                    c += near * near * w.c;
-                    s += near * near * w.s;
-                }
-            const float length = std::sqrt(c * c + s * s);
+            const Wave blend = blended(from, px, py, ax, ay);
+            const float length = std::sqrt(blend.c * blend.c + blend.s * blend.s);
             if (length <= 0.0f) continue;
-            const float u = c / length;
-            // Ribs are sharper than the gullies between them.
+            const float u = blend.c / length;
+            // Makes ribs sharper than gullies.
             const float sharp = 1.0f - 2.0f * std::sqrt(std::max(0.0f, 0.5f - 0.5f * u));
-            // Deep in some places, faint in others.
+            // Makes gullies deep in some places and faint in others.
             const auto deep = static_cast<float>(std::clamp(
                 0.6 + 0.9 * texture_noise((x + 0.5) * spacing, (y + 0.5) * spacing,
                                           7.0 * wavelength, seed),

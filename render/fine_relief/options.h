@@ -4,12 +4,11 @@
 
 namespace cydonia::render {
 
-// Form finer than a terrain's samples, on the land that is drawn and checked
-// (fine_relief.h). Strengths are shares of what suits real land: 0 none, 1 as found
-// there.
+// Form finer than a terrain's samples, added to the land that is drawn and checked
+// (fine_relief.h). A strength of 0 adds none, 1 as much as real land has.
 struct FineReliefOptions {
-    // Fine samples a sample, each way: 1 (none), 2, 4 or 8. Default: by the quality; 1
-    // for land that promises a shadow image.
+    // Fine samples for each sample, each way: 1 (none), 2, 4 or 8. The default depends on
+    // the quality; it is 1 for land that shows a shadow image.
     std::optional<int> factor;
     double gullies = 1.0;   // down steep slopes
     double crags = 1.0;     // broken ground everywhere, more where it is steep

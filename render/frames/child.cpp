@@ -16,12 +16,17 @@
 namespace cydonia::render {
 namespace {
 
+constexpr std::chrono::milliseconds kPatience{
+    100};  // longest wait before Ctrl-C takes effect
+constexpr std::size_t kLongestLine = 64u << 10;
+
 // Between fork and exec, where only async-signal-safe calls are allowed.
 [[noreturn]] void become(char* const* command, const char* folder, int output,
                          pid_t parent) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(Child::kCannotStart);  // it died before the line above
+    if (getppid() != parent)
+        _exit(Child::kCannotStart);  // the parent died before prctl()
 
     sigset_t none;
     sigemptyset(&none);
@@ -32,7 +37,7 @@ namespace {
                        dup2(output, STDOUT_FILENO) >= 0 &&
                        dup2(output, STDERR_FILENO) >= 0 && chdir(folder) == 0;
     if (ready) {
-        close_range(3, ~0u, CLOSE_RANGE_CLOEXEC);  // whatever libraries left open
+        close_range(3, ~0u, CLOSE_RANGE_CLOEXEC);  // files that libraries left open
         execv(command[0], command);
     }
     _exit(Child::kCannotStart);
@@ -62,7 +67,7 @@ Child::Child(const std::filesystem::path& program,
         close(output_);
         throw failure("cannot start {}: {}", program.string(), std::strerror(error));
     }
-    setpgid(process_, process_);  // here too: whoever comes first
+    setpgid(process_, process_);  // parent and child both set it: either may run first
     fcntl(output_, F_SETFL, O_NONBLOCK);
 }
 
@@ -74,7 +79,7 @@ Child::~Child() {
     close(output_);
 }
 
-// Its leftovers are killed while its process number is still reserved for it.
+// Kills what the program left running while its process number is still reserved.
 bool Child::has_ended() {
     siginfo_t info{};
     const int error =
@@ -83,7 +88,7 @@ bool Child::has_ended() {
     kill(-process_, SIGKILL);
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
     if (error != 0)
-        outcome_ = 1;  // our parent had us ignore SIGCHLD: nobody knows
+        outcome_ = 1;  // SIGCHLD is ignored, so the exit code is lost
     else
         outcome_ = info.si_code == CLD_EXITED ? info.si_status : -info.si_status;
     return true;
@@ -99,15 +104,43 @@ void Child::read_what_is_there(std::string& output) {
 
 bool Child::read(std::string& output, std::chrono::milliseconds patience) {
     if (ended_) return false;
-    if (all_read_) {  // it closed its end and goes on: no poll would wait for it
+    if (all_read_) {  // the pipe is closed: poll() would return at once
         std::this_thread::sleep_for(patience);
     } else {
         pollfd wait{output_, POLLIN, 0};
         poll(&wait, 1, static_cast<int>(patience.count()));
     }
-    ended_ = has_ended();  // before the reading: nothing is printed after it
+    ended_ = has_ended();  // asked before reading, so that the last output is not missed
     read_what_is_there(output);
     return !ended_;
+}
+
+std::optional<int> outcome_of(const std::filesystem::path& program,
+                              const std::vector<std::string>& arguments,
+                              const std::filesystem::path& folder,
+                              std::chrono::seconds time_limit,
+                              const std::function<void(std::string& output)>& listen) {
+    const auto deadline = std::chrono::steady_clock::now() + time_limit;
+    Child child(program, arguments, folder);
+    std::string output;
+    while (child.read(output, kPatience)) {
+        listen(output);
+        if (std::chrono::steady_clock::now() > deadline) return std::nullopt;
+    }
+    output += '\n';  // ends a last line that has no new line
+    listen(output);
+    return child.outcome();
+}
+
+void take_lines(std::string& output, const std::function<void(std::string_view)>& take) {
+    std::size_t begin = 0;
+    for (auto end = output.find_first_of("\r\n"); end != output.npos;
+         end = output.find_first_of("\r\n", begin)) {
+        take(std::string_view(output).substr(begin, end - begin));
+        begin = end + 1;
+    }
+    output.erase(0, begin);
+    if (output.size() > kLongestLine) output.clear();
 }
 
 }  // namespace cydonia::render

@@ -15,12 +15,12 @@ namespace {
 
 constexpr float kLargestHalf = 65504.0f;
 
-// The grade before the view: output transform and haze leave landscapes flat.
+// A grade before the view transform, since the transform and haze flatten landscapes.
 constexpr float kMiddleGrey = 0.18f;
 constexpr float kContrast = 1.18f;
 constexpr float kSaturation = 1.15f;
 
-// A ray that went astray must not blacken a denoiser's or a compositor's neighbourhood.
+// Replaces NaN and infinity, which denoisers and compositors would spread to neighbours.
 float finite(float value) {
     return std::isnan(value) ? 0.0f : std::clamp(value, -kLargestHalf, kLargestHalf);
 }

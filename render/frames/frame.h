@@ -8,20 +8,21 @@
 
 namespace cydonia::render {
 
-// From POV-Ray's linear Rec.709 to what is delivered: `<name>.exr` (half, ACEScg, with
-// metadata) and `<name>.png` (8 bits, through the OCIO display and view, at the scene's
-// exposure) in `folder`.
+// Converts POV-Ray's linear Rec.709 frame to the delivered files in `folder`:
+// `<name>.exr` (half float, ACEScg, with metadata) and `<name>.png` (8 bits, through the
+// OCIO display and view, at the scene's exposure). `exposure` in EV replaces
+// own_exposure(), so that a sequence does not flicker.
 void deliver_frame(const std::filesystem::path& povray_exr,
                    const std::filesystem::path& folder, const std::string& name,
                    const ColourOptions& colour, const Metadata& metadata,
                    std::optional<double> exposure = {});
 
-// What `<name>.png` would be of a frame in memory, linear Rec.709.
+// The same picture as `<name>.png`, of a frame in memory, linear Rec.709.
 Field<Rgb8> picture_of(Field<Rgb> rec709, const ColourOptions& colour,
                        std::optional<double> exposure = {});
 
-// EV that a frame gets by itself: its 90th percentile of light shown as 0.6 of white
-// before the view. `exposure` above replaces it, so that a sequence does not flicker.
+// The exposure in EV that is chosen for a single frame (own_stops in
+// render/colour/exposure.h).
 double own_exposure(const std::filesystem::path& povray_exr);
 double own_exposure(Field<Rgb> rec709);
 

@@ -1,34 +1,32 @@
 #include "render/frames/povray.h"
 
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <cstring>
-#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "field/error.h"
+#include "field/files.h"
 #include "render/frames/child.h"
 #include "render/frames/program.h"
+#include "render/frames/trace_progress.h"
+#include "render/scene/files.h"
 
 namespace cydonia::render {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
-constexpr std::size_t kKeptOutput = 64u << 10;       // its last words, and enough of them
+constexpr std::size_t kKeptOutput = 64u << 10;  // bytes of its last output that are kept
 constexpr std::size_t kLongestMessage = 600;
 
-// What POV-Ray makes under names of its own until the picture is whole; gone in the end.
+// The files that POV-Ray writes until the picture is complete; removed when done.
 class Unfinished {
   public:
     Unfinished(const fs::path& folder, const std::string& name)
-        : picture_(folder / (name + ".part.exr")),
-          state_(folder / (name + ".part.pov-state")) {
+        : picture_(folder / file_of(name, ShotFile::kUnfinishedFrame)),
+          state_(folder / file_of(name, ShotFile::kUnfinishedState)) {
         remove();
     }
     ~Unfinished() { remove(); }
@@ -46,52 +44,16 @@ class Unfinished {
     fs::path picture_, state_;
 };
 
-std::optional<double> number_at(std::string_view text) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
-    if (error != std::errc()) return std::nullopt;
-    return number;
-}
-
-// "Rendered 1024 of 307200 pixels (0%)"
-std::optional<double> fraction_of(std::string_view line) {
-    constexpr std::string_view kRendered = "Rendered ", kOf = " of ";
-    const auto of = line.find(kOf);
-    if (!line.starts_with(kRendered) || of == line.npos) return std::nullopt;
-    const auto done = number_at(line.substr(kRendered.size()));
-    const auto all = number_at(line.substr(of + kOf.size()));
-    if (!done || !all || *all <= 0.0) return std::nullopt;
-    return std::clamp(*done / *all, 0.0, 1.0);
-}
-
-// Takes what POV-Ray prints apart: how far it is, and all else.
-class Log {
+// The last output of POV-Ray, without its progress reports.
+class LastWords {
   public:
-    // Whole lines are moved out of `output`, ended by a new line or a carriage return.
-    void take(std::string& output) {
-        std::size_t begin = 0;
-        for (auto end = output.find_first_of("\r\n"); end != output.npos;
-             end = output.find_first_of("\r\n", begin)) {
-            add(std::string_view(output).substr(begin, end - begin));
-            begin = end + 1;
-        }
-        output.erase(0, begin);
-        if (output.size() > kKeptOutput) output.clear();  // no line is that long
-    }
     void add(std::string_view line) {
-        if (const auto fraction = fraction_of(line)) {
-            fraction_ = std::max(fraction_, *fraction);
-            return;
-        }
         text_.append(line).push_back('\n');
         if (text_.size() > kKeptOutput) text_.erase(0, text_.size() - kKeptOutput);
     }
-
-    double fraction() const { return fraction_; }
     const std::string& text() const { return text_; }
 
   private:
-    double fraction_ = 0.0;
     std::string text_;
 };
 
@@ -112,14 +74,14 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// Said with every failure and no reason for it.
+// Lines that POV-Ray prints with every failure and that give no reason.
 bool is_no_reason(std::string_view line) {
     return line == "Render failed" || line.starts_with("Fatal error in parser") ||
            line.find("povray.conf") != line.npos;
 }
 
-// POV-Ray's own words, on one line: from the first that tells an error, else the last
-// three. It wraps them at 80 columns.
+// POV-Ray's own message on one line: from the first line that names an error, or else the
+// last three lines. POV-Ray wraps messages at 80 columns.
 std::string reason_in(std::string_view text) {
     std::vector<std::string_view> lines = lines_of(text);
     std::erase_if(lines, is_no_reason);
@@ -135,7 +97,7 @@ std::string reason_in(std::string_view text) {
     return reason.empty() ? "it did not say why" : reason.substr(0, kLongestMessage);
 }
 
-// It aborts without a word, or leaves half a picture, where the disk is full.
+// POV-Ray aborts without a message, or leaves half a picture, when the disk is full.
 void expect_space(const fs::path& folder) {
     constexpr std::uintmax_t kLeast = 1u << 20;
     std::error_code error;
@@ -146,8 +108,7 @@ void expect_space(const fs::path& folder) {
             folder.string());
 }
 
-void expect_success(const Child& child, const fs::path& scene, std::string_view text) {
-    const int outcome = child.outcome();
+void expect_success(int outcome, const fs::path& scene, std::string_view text) {
     if (outcome != 0) expect_space(scene.parent_path());
     if (outcome == Child::kCannotStart && text.empty())
         throw failure("cannot start POV-Ray in {}", scene.parent_path().string());
@@ -175,34 +136,37 @@ fs::path povray_program() {
 
 void run_povray(const fs::path& folder, const std::string& name, int threads,
                 std::chrono::seconds time_limit, Progress& progress) {
-    const auto deadline = Clock::now() + time_limit;
-    const fs::path scene = folder / (name + ".pov");
+    const fs::path scene = folder / file_of(name, ShotFile::kScene);
     const Unfinished unfinished(folder, name);
+    std::error_code none;
+    TraceProgress trace(fs::exists(scene, none) ? read_text(scene) : "");
+    LastWords words;
 
-    // +FE: an EXR whatever the .ini says; +V: tells how far it is; -D: no window.
-    Child child(
-        povray_program(),
-        {"./" + name + ".ini", "+FE", "+O" + unfinished.picture().filename().string(),
-         fmt::format("+WT{}", threads), "+V", "-D", "-P"},
-        folder);
-    Log log;
-    std::string output;
-    while (child.read(output, kPatience)) {
-        log.take(output);
-        progress.report(log.fraction());
-        if (Clock::now() > deadline)
-            throw failure("POV-Ray was stopped: {} took longer than {}", scene.string(),
-                          in_words(time_limit));
-    }
-    log.take(output);
-    if (!output.empty()) log.add(output);
-    expect_success(child, scene, log.text());
+    const auto begun = std::chrono::steady_clock::now();
+    const auto listen = [&](std::string& output) {
+        const std::chrono::duration<double> seconds =
+            std::chrono::steady_clock::now() - begun;
+        take_lines(output, [&](std::string_view line) {
+            if (!trace.hear(line, seconds.count())) words.add(line);
+        });
+        progress.report(trace.fraction());
+    };
+    // +FE: write an EXR whatever the .ini says; +V: report progress; -D: open no window.
+    const auto outcome = outcome_of(povray_program(),
+                                    {"./" + file_of(name, ShotFile::kSettings), "+FE",
+                                     "+O" + unfinished.picture().filename().string(),
+                                     fmt::format("+WT{}", threads), "+V", "-D", "-P"},
+                                    folder, time_limit, listen);
+    if (!outcome)
+        throw failure("POV-Ray was stopped: {} took longer than {}", scene.string(),
+                      in_words(time_limit));
+    expect_success(*outcome, scene, words.text());
 
     std::error_code error;
-    fs::rename(unfinished.picture(), folder / (name + ".exr"), error);
+    fs::rename(unfinished.picture(), folder / file_of(name, ShotFile::kFrame), error);
     if (error)
         throw failure("POV-Ray ended without a picture of {}: {}", scene.string(),
-                      reason_in(log.text()));
+                      reason_in(words.text()));
     progress.report(1.0);
 }
 

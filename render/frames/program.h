@@ -6,7 +6,7 @@
 
 namespace cydonia::render {
 
-// Where a program is on the PATH; none when it is nowhere or cannot be executed.
+// The path of an executable program on the PATH, if there is one.
 std::optional<std::filesystem::path> program_on_path(std::string_view name);
 
 }  // namespace cydonia::render

@@ -18,9 +18,6 @@ namespace cydonia::render {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::milliseconds kPatience{100};  // Ctrl-C is heeded within it
 constexpr std::chrono::hours kTimeLimit{2};
 constexpr std::size_t kKeptWords = 600;
 
@@ -28,23 +25,23 @@ int held_frames(const Film& film) {
     return static_cast<int>(std::lround(film.hold * film.rate));
 }
 
-// The frame of the image again and again, then what the format needs.
+// Holds the still frame, then applies what the format needs.
 std::string filters(const Film& film, std::string_view format) {
     const int held = held_frames(film);
     const std::string loop =
         held > 0 ? fmt::format("loop=loop={}:size=1:start={},", held, film.still) : "";
-    // Counted anew: the loop leaves a gap that would be filled with a frame too many.
+    // Time stamps are renumbered: the loop leaves a gap that ffmpeg would fill.
     return loop + fmt::format("setpts=N/({}*TB),", film.rate) + std::string(format);
 }
 
-// Two threads whatever the machine has: the same film everywhere.
+// Always two threads: x264 writes other bytes with another number.
 std::vector<std::string> as_mp4(const Film& film) {
     return {"-vf",
             filters(film,
                     "pad=ceil(iw/2)*2:ceil(ih/2)*2,"
                     "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"),
             "-c:v", "libx264", "-preset", "slow", "-crf", "18", "-threads", "2",
-            // Players must know the colours; the pictures are encoded for sRGB.
+            // Tells players how the colours are encoded: for sRGB.
             "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc",
             "iec61966-2-1", "-color_range", "tv", "-movflags", "+faststart"};
 }
@@ -56,7 +53,7 @@ std::vector<std::string> as_webp(const Film& film) {
             "-loop",    "0"};
 }
 
-// With the colours that the film needs most, strewn in a pattern that stands still.
+// One palette for the whole film, dithered in a pattern that does not move.
 std::vector<std::string> as_gif(const Film& film) {
     return {"-vf",
             filters(film,
@@ -93,7 +90,7 @@ std::vector<std::string> arguments(const Film& film, const fs::path& file) {
     return words;
 }
 
-// A line of -progress: "out_time_us=250081".
+// Whether a line comes from -progress: "out_time_us=250081".
 bool is_report(std::string_view line) {
     const auto equals = line.find('=');
     return line.empty() || (equals != line.npos &&
@@ -103,23 +100,13 @@ bool is_report(std::string_view line) {
                             }));
 }
 
-// Takes whole lines out of `output`: "frame=12" tells how far it is; what is no report is
-// an error.
-void take(std::string& output, int& frame, std::string& words) {
-    std::size_t begin = 0;
-    for (auto end = output.find('\n'); end != output.npos;
-         end = output.find('\n', begin)) {
-        const std::string_view line = std::string_view(output).substr(begin, end - begin);
-        constexpr std::string_view kFrame = "frame=";
-        if (line.starts_with(kFrame))
-            std::from_chars(line.data() + kFrame.size(), line.data() + line.size(),
-                            frame);
-        else if (!is_report(line) && words.size() < kKeptWords)
-            words.append(words.empty() ? "" : " ").append(line);
-        begin = end + 1;
-    }
-    output.erase(0, begin);
-    if (output.size() > kKeptWords) output.clear();  // no line is that long
+// Takes the frame number from "frame=12". Any line that is no report is an error message.
+void hear(std::string_view line, int& frame, std::string& words) {
+    constexpr std::string_view kFrame = "frame=";
+    if (line.starts_with(kFrame))
+        std::from_chars(line.data() + kFrame.size(), line.data() + line.size(), frame);
+    else if (!is_report(line) && words.size() < kKeptWords)
+        words.append(words.empty() ? "" : " ").append(line);
 }
 
 void expect_success(int outcome, const fs::path& file, const std::string& words) {
@@ -131,7 +118,7 @@ void expect_success(int outcome, const fs::path& file, const std::string& words)
                       words.empty() ? "it did not say why" : words.substr(0, kKeptWords));
 }
 
-// ffmpeg would look for another and make less of a film.
+// ffmpeg would stop at a missing frame and write a shorter film without an error.
 void expect_frames(const Film& film) {
     for (int i = 1; i <= film.count; ++i) {
         const fs::path frame = film.folder / fmt::format("{}-{:04}.png", film.name, i);
@@ -143,19 +130,18 @@ void expect_frames(const Film& film) {
 
 void run_ffmpeg(const Film& film, const fs::path& file, const fs::path& named,
                 Progress& progress) {
-    const auto deadline = Clock::now() + kTimeLimit;
     const double frames = film.count + held_frames(film);
-    Child child(ffmpeg_program(), arguments(film, file), film.folder);
-    std::string output, words;
+    std::string words;
     int frame = 0;
-    while (child.read(output, kPatience)) {
-        take(output, frame, words);
-        progress.report(std::clamp(frame / frames, 0.0, 1.0));
-        if (Clock::now() > deadline)
-            throw failure("ffmpeg was stopped: {} took longer than 2 h", named.string());
-    }
-    take(output += '\n', frame, words);
-    expect_success(child.outcome(), named, words);
+    const auto outcome = outcome_of(
+        ffmpeg_program(), arguments(film, file), film.folder, kTimeLimit,
+        [&](std::string& output) {
+            take_lines(output, [&](std::string_view line) { hear(line, frame, words); });
+            progress.report(std::clamp(frame / frames, 0.0, 1.0));
+        });
+    if (!outcome)
+        throw failure("ffmpeg was stopped: {} took longer than 2 h", named.string());
+    expect_success(*outcome, named, words);
 }
 
 }  // namespace

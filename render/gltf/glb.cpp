@@ -9,12 +9,13 @@
 namespace cydonia::render {
 namespace {
 
-// glTF's own numbers (sections 3.6.2 and 5.26).
+// Constants of glTF (sections 3.6.2 and 5.26).
 constexpr int kFloat = 5126, kUnsigned = 5125;
 constexpr int kVertices = 34962, kIndices = 34963;
 constexpr int kLinear = 9729, kLinearMipmapped = 9987, kClamped = 33071;
 
-// As it lies in memory: every processor we build for is little-endian, as is the format.
+// The bytes as they are in memory: the format and all supported processors are
+// little-endian.
 template <class T>
 std::string_view bytes_of(std::span<const T> values) {
     return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
@@ -101,14 +102,15 @@ std::string Glb::file() {
     return bytes;
 }
 
-// Of the rotation matrix whose columns these are: Shepperd 1978, the largest component
-// first.
+// The quaternion of a rotation matrix with these columns, computed from its largest
+// component (Shepperd 1978).
 std::array<double, 4> rotation_to(const Vec3& x, const Vec3& y, const Vec3& z) {
     const double trace = x.x + y.y + z.z;
     const std::array<double, 4> squares{1.0 + 2.0 * x.x - trace, 1.0 + 2.0 * y.y - trace,
                                         1.0 + 2.0 * z.z - trace, 1.0 + trace};
     const auto largest = std::ranges::max_element(squares) - squares.begin();
-    const double l = std::sqrt(squares[static_cast<std::size_t>(largest)]);  // twice it
+    const double l = std::sqrt(
+        squares[static_cast<std::size_t>(largest)]);  // twice the largest component
     const double s = 0.5 / l;
     switch (largest) {
         case 0:

@@ -12,6 +12,7 @@
 #include "render/gltf/glb.h"
 #include "render/gltf/surface.h"
 #include "render/ground/ground.h"
+#include "render/scene/water.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render {
@@ -22,10 +23,10 @@ using Json = Glb::Json;
 constexpr int kLongestTexture = 2048;  // pixels a side
 constexpr int kMostDetail = 4;         // pixels a sample
 constexpr int kQuality = 92;           // of the colours' JPEG
-// Of the sun and the full moon outside the air, on what faces them.
+// Illuminance of the sun and of the full moon outside the air, on a surface facing them.
 constexpr double kSunLux = 128'000.0, kMoonLux = 0.32;
 
-// The colours in sRGB, averaged to the longest texture at most.
+// The colours of the ground in sRGB, averaged down to kLongestTexture.
 Field<Rgb8> colours_of(const Terrain& terrain, const GroundOptions& ground) {
     const int longest = std::max(terrain.heights.width(), terrain.heights.height());
     const Field<Rgb> albedo = ground_albedo(
@@ -45,7 +46,8 @@ Field<Rgb8> colours_of(const Terrain& terrain, const GroundOptions& ground) {
     return result;
 }
 
-int mesh_of(Glb& glb, const char* name, const Surface& s, int material, bool textured) {
+int mesh_of(Glb& glb, const char* name, const SurfaceMesh& s, int material,
+            bool textured) {
     Json attributes = {{"POSITION", glb.attribute(s.positions, 3)},
                        {"NORMAL", glb.attribute(s.normals, 3)}};
     if (textured) {
@@ -77,7 +79,7 @@ void add_land(Glb& glb, const Terrain& terrain, const GroundOptions& ground,
         {{"name", "ground"},
          {"pbrMetallicRoughness", matt({{"baseColorTexture", {{"index", colour}}}})},
          {"normalTexture", {{"index", normal}}}});
-    const Surface surface = surface_of(coarse, terrain.width(), terrain.depth());
+    const SurfaceMesh surface = surface_mesh(coarse, terrain.width(), terrain.depth());
     const int mesh = mesh_of(glb, "land", surface, material, true);
     glb.add("nodes", {{"name", "land"}, {"mesh", mesh}});
     made.samples = {coarse.width(), coarse.height()};
@@ -86,7 +88,8 @@ void add_land(Glb& glb, const Terrain& terrain, const GroundOptions& ground,
     made.triangles = surface.indices.size() / 3;
 }
 
-// The nearest samples' water over the mesh's own heights, so that both meet at the shore.
+// The mesh's own heights with the water of the nearest samples, so that both meet at the
+// shore.
 Terrain coarse_land(const Terrain& terrain, const Field<float>& coarse) {
     Terrain result{coarse, terrain.width() / coarse.width(), {}, {}, {}};
     if (terrain.water.empty()) return result;
@@ -100,20 +103,19 @@ Terrain coarse_land(const Terrain& terrain, const Field<float>& coarse) {
 }
 
 void add_water(Glb& glb, const Terrain& terrain, const Terrain& coarse) {
-    const Surface surface = water_of(coarse, terrain.width(), terrain.depth());
+    const SurfaceMesh surface = water_mesh(coarse, terrain.width(), terrain.depth());
     if (surface.indices.empty()) return;
-    const int material =
-        glb.add("materials", {{"name", "water"},
-                              {"alphaMode", "BLEND"},
-                              {"pbrMetallicRoughness",
-                               {{"baseColorFactor", {0.02, 0.06, 0.08, 0.85}},
-                                {"metallicFactor", 0.0},
-                                {"roughnessFactor", 0.1}}}});
+    const int material = glb.add("materials", {{"name", "water"},
+                                               {"alphaMode", "BLEND"},
+                                               {"pbrMetallicRoughness",
+                                                {{"baseColorFactor", kPlainWater},
+                                                 {"metallicFactor", 0.0},
+                                                 {"roughnessFactor", 0.1}}}});
     glb.add("nodes", {{"name", "water"},
                       {"mesh", mesh_of(glb, "water", surface, material, false)}});
 }
 
-// Lights and cameras look along their own -z.
+// The rotation of a light or a camera, which look along their own -z.
 Json turned(const Vec3& right, const Vec3& up, const Vec3& back) {
     return rotation_to(in_gltf(right), in_gltf(up), in_gltf(back));
 }
@@ -124,7 +126,7 @@ double add_sun(Glb& glb, const Shot& shot) {
     const Rgb colour{light[0] / most, light[1] / most, light[2] / most};
     const double luminance = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
     const double lux = luminance * (shot.options.sky.moon > 0.0 ? kMoonLux : kSunLux);
-    // Viewers multiply the colour by the intensity: together they are the light.
+    // Viewers multiply colour and intensity.
     const double share = 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
 
     glb.json["extensionsUsed"] = Json::array({"KHR_lights_punctual"});
@@ -141,7 +143,7 @@ double add_sun(Glb& glb, const Shot& shot) {
     return lux;
 }
 
-// How near the nearest and how far the farthest point of the land is, metres.
+// The distances from the eye to the nearest and the farthest sample, metres.
 std::array<double, 2> reach_of(const Vec3& eye, const Terrain& coarse) {
     std::array<double, 2> reach{std::numeric_limits<double>::max(), 0.0};
     const Field<float>& h = coarse.heights;

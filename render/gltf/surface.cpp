@@ -8,12 +8,12 @@
 #include "field/parallel.h"
 #include "field/vec.h"
 #include "render/gltf/glb.h"
-#include "render/pov/water.h"
+#include "render/scene/water.h"
 
 namespace cydonia::render {
 namespace {
 
-// Heights at the centres of the cells of a land so wide.
+// Heights at the centres of the cells of a land of the given size.
 struct Grid {
     const Field<float>& heights;
     double width, depth;  // metres
@@ -29,7 +29,7 @@ struct Grid {
                            point(x, std::min(y + 1, heights.height() - 1));
         return normalized(cross(east, north));
     }
-    // Of the triangles between the samples, corners' normals mixed.
+    // The normal at a point between samples, interpolated over its triangle.
     Vec3 normal_between(double x, double y) const {
         x = std::clamp(x, 0.0, heights.width() - 1.0);
         y = std::clamp(y, 0.0, heights.height() - 1.0);
@@ -43,7 +43,7 @@ struct Grid {
     }
 };
 
-// East along a surface of that normal; north is across both.
+// The direction in the surface that points east.
 Vec3 tangent_of(const Vec3& normal) {
     const Vec3 east{1.0, 0.0, 0.0};
     return normalized(east - dot(east, normal) * normal);
@@ -61,8 +61,8 @@ Rgb8 pixel_of(const Vec3& normal) {
     return {level(normal.x), level(normal.y), level(normal.z)};
 }
 
-Surface attributes_of(const Grid& grid) {
-    Surface s;
+SurfaceMesh attributes_of(const Grid& grid) {
+    SurfaceMesh s;
     const int width = grid.heights.width(), height = grid.heights.height();
     s.positions.reserve(3 * grid.heights.size());
     s.normals.reserve(3 * grid.heights.size());
@@ -84,24 +84,24 @@ Surface attributes_of(const Grid& grid) {
 
 }  // namespace
 
-Surface surface_of(const Field<float>& heights, double width, double depth) {
+SurfaceMesh surface_mesh(const Field<float>& heights, double width, double depth) {
     assert(heights.width() >= 2 && heights.height() >= 2);
-    Surface s = attributes_of({heights, width, depth});
+    SurfaceMesh s = attributes_of({heights, width, depth});
     for (const auto& triangle : triangles_over(heights.width(), heights.height()))
         s.indices.insert(s.indices.end(), triangle.begin(), triangle.end());
     return s;
 }
 
-Surface water_of(const Terrain& terrain, double width, double depth) {
+SurfaceMesh water_mesh(const Terrain& terrain, double width, double depth) {
     const auto water = water_surface(terrain);
     if (!water) return {};
     const Field<float> heights = heights_of(water->heights);
-    Surface s = attributes_of({heights, width, depth});
+    SurfaceMesh s = attributes_of({heights, width, depth});
     const auto is_wet = [&](std::uint32_t i) { return water->heights.levels[i] > 0; };
     for (const auto& triangle : triangles_over(heights.width(), heights.height()))
         if (std::ranges::all_of(triangle, is_wet))
             s.indices.insert(s.indices.end(), triangle.begin(), triangle.end());
-    return s.indices.empty() ? Surface{} : s;
+    return s.indices.empty() ? SurfaceMesh{} : s;
 }
 
 Field<Rgb8> normal_map(const Field<float>& fine, const Field<float>& coarse, double width,

@@ -22,7 +22,8 @@ constexpr double kWet = 0.45;
 
 constexpr std::uint64_t kSeed = 0x6c616e64;
 
-// What water above the ground leaves of its colour (Beer-Lambert), straight down and up.
+// The share of the bed's colour that water above it lets through (Beer-Lambert), down and
+// up again.
 constexpr Rgb kAbsorption{0.20f, 0.075f, 0.065f};  // a metre, of coastal water
 Rgb seen_through(double depth, Rgb ground) {
     for (std::size_t c = 0; c < 3; ++c)
@@ -48,7 +49,7 @@ Form bilinear(const Field<Form>& forms, double x, double y) {
                    between(forms(i, j1), forms(i1, j1), x - i), y - j);
 }
 
-// A scene's snow line and rock slope go before the look's.
+// A scene's snow line and rock slope replace those of the look.
 Look with_overrides(const GroundOptions& options, double width) {
     Look look = options.look;
     for (Layer& layer : look.layers) {
@@ -66,7 +67,7 @@ Look with_overrides(const GroundOptions& options, double width) {
     return look;
 }
 
-// The noise that every border and every material shares at a point.
+// The noise at a point, shared by all borders and materials.
 struct Point {
     double east, south;  // metres
     Form form;
@@ -79,15 +80,16 @@ class Painter {
         : terrain_(terrain),
           look_(with_overrides(options, terrain.width())),
           relief_(relief_of(terrain, uses_wetness(look_))),
-          // Of metres where land is of kilometres; on wider land wider.
+          // Wavelengths: metres on land of kilometres, wider on wider land.
           wide_(std::min(std::max(200.0, terrain.width() / 75.0), terrain.width() / 4.0)),
-          // Finer than two pixels noise would be another one for every number of them.
+          // Noise finer than two pixels would differ with the number of pixels.
           fine_(std::clamp(0.1 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)),
           finest_(std::clamp(0.035 * wide_ * detail / terrain.spacing - 1.0, 0.0, 1.0)) {
         for (const Layer& layer : look_.layers) masks_.push_back(mask_of(layer));
     }
 
-    // At a point of the grid, in cells: the colour, and which material is most of it.
+    // The colour at a point of the grid, in cells, and the material with the largest
+    // share.
     std::pair<Rgb, std::uint8_t> at(double x, double y) const {
         Point p{(x + 0.5) * terrain_.spacing,
                 (y + 0.5) * terrain_.spacing,
@@ -145,8 +147,8 @@ class Painter {
         if (share > of_top) top = material, of_top = share;
     }
 
-    // How much of what lies below it a layer covers. The least of its conditions decides;
-    // noise moves where that is enough.
+    // How much a layer covers of what lies below it. The least fulfilled of its
+    // conditions decides, and noise shifts the limit.
     double cover(std::size_t i, const Point& p, double x, double y) const {
         const Layer& layer = look_.layers[i];
         if (!layer.limited()) return layer.amount;
@@ -184,8 +186,8 @@ class Painter {
         return cydonia::bilinear(*masks_[i], x, y);
     }
 
-    // Above one half in `patches` of the places: the noise's distribution is about
-    // logistic.
+    // A value that is above one half in the share `patches` of the land; the noise is
+    // distributed about logistically.
     double patch(std::size_t i, const Point& p) const {
         const Layer& layer = look_.layers[i];
         const double share = std::clamp(layer.patches, 0.001, 0.999);
@@ -194,7 +196,7 @@ class Painter {
         return 0.5 + 2.5 * (noise + 0.2 * std::log(share / (1.0 - share)));
     }
 
-    // 1 under water and as far up as the last wave left the ground wet.
+    // 1 under water and as far up as waves keep the ground wet.
     double wetted_at(const Point& p) const {
         const double above = p.form.height - p.form.level;
         return p.form.shore * smoothstep(1.8 + p.fine, 0.4 + p.fine, above);
@@ -211,7 +213,7 @@ class Painter {
         const Material& m = look_.materials[index];
         const double patches =
             texture_noise(p.east, p.south, m.variation, kSeed + 300 + 2 * index);
-        // Edges are clean, gullies hold dirt and damp.
+        // Darkens gullies, which hold dirt and damp, and not edges.
         double shade = 0.5 + 0.45 * patches + m.grain * (p.fine + 0.8 * p.finest) -
                        0.4 * p.form.cavity;
         Rgb light = m.light, dark = m.dark;
@@ -237,8 +239,8 @@ class Painter {
         return colour;
     }
 
-    // Beds of rock by height, thick and thin, bent a little: how much they show here, the
-    // shade they add, and the colour of this one.
+    // Beds of rock by height, thick and thin and slightly bent: how much they show, their
+    // shade and the colour of the bed at this height.
     double beds(const Strata& s, const Point& p, double& shade, Rgb& colour) const {
         const double bend = 0.4 * texture_noise(p.east, p.south, 8.0 * wide_, kSeed + 2);
         const double at =
@@ -258,7 +260,7 @@ class Painter {
         return 0.45 + 0.55 * smoothstep(-0.5, 0.3, p.wide);
     }
 
-    // Value noise along one line, -1 to 1.
+    // One-dimensional value noise, -1 to 1.
     static double unevenness(double at) {
         const double floor = std::floor(at);
         const auto value = [](double i) {

@@ -16,22 +16,23 @@ constexpr double kBeach = 50.0;
 // Box means of (2 * radius + 1)^2 samples, clamped at the edges.
 Field<float> blurred(const Field<float>& field, int radius) {
     if (radius < 1) return field;
-    const auto pass = [radius](const Field<float>& in) {  // along rows, then turned
-        Field<float> out(in.height(), in.width());
-        parallel_for(in.height(), 16, [&](int y) {
-            const auto row = in.row(y);
-            const auto at = [&](int x) {
-                return double(row[std::size_t(std::clamp(x, 0, in.width() - 1))]);
-            };
-            double sum = 0.0;
-            for (int i = -radius; i <= radius; ++i) sum += at(i);
-            for (int x = 0; x < in.width(); ++x) {
-                out(y, x) = static_cast<float>(sum / (2 * radius + 1));
-                sum += at(x + radius + 1) - at(x - radius);
-            }
-        });
-        return out;
-    };
+    const auto pass =
+        [radius](const Field<float>& in) {  // along rows; the result is transposed
+            Field<float> out(in.height(), in.width());
+            parallel_for(in.height(), 16, [&](int y) {
+                const auto row = in.row(y);
+                const auto at = [&](int x) {
+                    return double(row[std::size_t(std::clamp(x, 0, in.width() - 1))]);
+                };
+                double sum = 0.0;
+                for (int i = -radius; i <= radius; ++i) sum += at(i);
+                for (int x = 0; x < in.width(); ++x) {
+                    out(y, x) = static_cast<float>(sum / (2 * radius + 1));
+                    sum += at(x + radius + 1) - at(x - radius);
+                }
+            });
+            return out;
+        };
     return pass(pass(field));
 }
 
@@ -47,8 +48,8 @@ Rise rise_at(const Field<float>& h, double spacing, int x, int y) {
             (h(x, n) - h(x, s)) / (spacing * std::max(1, s - n))};
 }
 
-// Metres of land that drain through a metre at each sample: from the highest down, each
-// hands on what it has to all lower neighbours, to steeper ones more.
+// The drained area per metre of contour at each sample, metres. From the highest sample
+// down each passes its area on to all lower neighbours, more to steeper ones.
 Field<float> drained(const Field<float>& h, double spacing) {
     std::vector<std::uint32_t> order(h.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -131,7 +132,7 @@ Relief relief_of(const Terrain& terrain, bool wetness) {
     const Field<float> far = blurred(h, std::max(1, cells(45.0)));
     const int edge = std::max(1, cells(30.0));
     const Field<float> beside = blurred(h, edge);
-    // A slope that turns by this much over the width is sharp.
+    // A change of slope by this much over the width is a sharp edge.
     const double sharp = 0.12 * (edge + 0.5) * spacing;
     const Field<float> around = blurred(h, std::max(1, cells(120.0)));
     Relief r;

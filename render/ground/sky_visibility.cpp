@@ -25,7 +25,7 @@ Field<float> sky_visibility(const Field<float>& heights, double spacing) {
             spacing * longest / kLongestSide);
     }
     constexpr int kAzimuths = 16;
-    constexpr double kFarthest = 160.0;  // cells; beyond, hills are low
+    constexpr double kFarthest = 160.0;  // cells; hills farther away stand low
     Field<float> visible(heights.width(), heights.height());
     parallel_for(heights.height(), 4, [&](int y) {
         for (int x = 0; x < heights.width(); ++x) {

@@ -13,7 +13,7 @@ constexpr int kPeriod = 64, kFine = 8, kSide = kPeriod * kFine;
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
-// Perlin 2002 on a lattice that closes upon itself.
+// Gradient noise after Perlin 2002 on a periodic lattice.
 double periodic_noise(double x, double y) {
     const int i = static_cast<int>(x), j = static_cast<int>(y);
     const double u = x - i, v = y - j;
@@ -41,7 +41,7 @@ const std::vector<float>& table() {
     return values;
 }
 
-// At a point in table cells.
+// The value at a point in table cells.
 double looked_up(const float* values, double x, double y) {
     const double fx = std::floor(x), fy = std::floor(y);
     const double u = x - fx, v = y - fy;

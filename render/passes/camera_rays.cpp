@@ -15,7 +15,7 @@ Ray CameraRays::through(double x, double y) const {
     return {axes_.eye, normalized(axes_.forward + aside)};
 }
 
-CameraRays::Place CameraRays::place_of(const Vec3& point) const {
+CameraRays::FramePoint CameraRays::project(const Vec3& point) const {
     const Vec3 seen = axes_(point);
     const double scale = pixel_ * (parallel_ ? 1.0 : seen.z);
     return {0.5 * width_ + seen.x / scale, 0.5 * height_ - seen.y / scale, seen.z};

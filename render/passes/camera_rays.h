@@ -4,28 +4,28 @@
 
 namespace cydonia::render {
 
-// What a camera's pinhole sees along one line, world metres.
+// A ray of a pinhole camera, world metres.
 struct Ray {
     Vec3 from;
     Vec3 direction;  // of length 1
 };
 
-// The rays of a camera's frame, to the pixel those of the POV-Ray camera that render/pov
-// writes. A lens (depth of field) is left out: a pass is sharp.
+// The rays through a camera's frame, the same to the pixel as those of the POV-Ray camera
+// that render/pov writes. There is no depth of field: passes are sharp.
 class CameraRays {
   public:
     explicit CameraRays(const Camera& camera);
 
-    // Through a point of the frame, in pixels: (0, 0) is its upper left corner, x grows
-    // to the right, y down, and pixel (i, j) has its centre at (i + 0.5, j + 0.5).
+    // The ray through a point of the frame in pixels: (0, 0) is the upper left corner, x
+    // grows to the right, y down, and pixel (i, j) has its centre at (i + 0.5, j + 0.5).
     Ray through(double x, double y) const;
 
-    // The same the other way: where a world point is in the frame, and how far it is
-    // along the view's axis (below 0: behind the camera), metres.
-    struct Place {
-        double x, y, z;
+    // The inverse: a world point's position in the frame, pixels, and its distance along
+    // the view's axis, metres (negative behind the camera).
+    struct FramePoint {
+        double x, y, depth;
     };
-    Place place_of(const Vec3& point) const;
+    FramePoint project(const Vec3& point) const;
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -35,7 +35,7 @@ class CameraRays {
     bool parallel_;
     int width_, height_;
     CameraAxes axes_;
-    double pixel_;  // its side
+    double pixel_;  // width of a pixel: metres, or at distance 1 in perspective
 };
 
 }  // namespace cydonia::render

@@ -12,7 +12,7 @@ namespace {
 
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// As POV-Ray turns about its y: clockwise from above.
+// Clockwise from above, as POV-Ray turns about its y axis.
 Vec3 turned(const Vec3& v, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
     return {c * v.x + s * v.y, c * v.y - s * v.x, v.z};
@@ -95,8 +95,8 @@ std::uint8_t Copies::add_original(RTCDevice device, ThingOptions::Kind kind, int
     return first;
 }
 
-Copies::Hit Copies::hit(unsigned instance, unsigned geometry, unsigned triangle, double u,
-                        double v) const {
+Copies::Facet Copies::facet(unsigned instance, unsigned geometry, unsigned triangle,
+                            double u, double v) const {
     const Copy& copy = copies_[instance];
     const auto shape = std::uint8_t(copy.first_shape + geometry);
     const auto& [part, normals] = shapes_[shape];

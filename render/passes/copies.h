@@ -8,8 +8,8 @@
 #include "render/things/originals.h"
 #include "render/things/placement.h"
 
-// Things on the ground for rays: instances of the originals that the .pov has, at the
-// same places.
+// Things on the ground as geometry for rays: instances of the same originals at the same
+// points as in the .pov.
 struct RTCDeviceTy;  // Embree's
 struct RTCSceneTy;
 
@@ -18,10 +18,11 @@ namespace cydonia::render {
 // A part of an original.
 struct Shape {
     Original::Part part;
-    std::vector<std::array<float, 3>> normals;  // at its corners; empty: it has edges
+    std::vector<std::array<float, 3>>
+        normals;  // at its corners; empty when its faces are flat
 };
 
-// Embree's space: metres about `middle`, over `unit`.
+// Embree's coordinates: (world metres - `middle`) / `unit`.
 struct EmbreeSpace {
     Vec3 middle;
     double unit = 1.0;
@@ -29,7 +30,7 @@ struct EmbreeSpace {
 
 class Copies {
   public:
-    // `things` of each of the scene's kinds.
+    // `things` holds a list for each of the scene's kinds.
     Copies(RTCDeviceTy* device, const std::vector<ThingOptions>& kinds,
            const std::vector<std::vector<Thing>>& things, const EmbreeSpace& space);
 
@@ -38,13 +39,13 @@ class Copies {
     bool empty() const { return copies_.empty(); }
     RTCSceneTy* scene() const;  // instances
 
-    struct Hit {
+    struct Facet {
         std::uint8_t kind;   // of the scene's
         std::uint8_t shape;  // of shapes()
-        Vec3 normal;         // in the world, of either side
+        Vec3 normal;         // in world space, towards either side
     };
-    Hit hit(unsigned instance, unsigned geometry, unsigned triangle, double u,
-            double v) const;
+    Facet facet(unsigned instance, unsigned geometry, unsigned triangle, double u,
+                double v) const;
     const std::vector<Shape>& shapes() const { return shapes_; }
 
   private:

@@ -8,7 +8,7 @@
 namespace cydonia::render {
 namespace {
 
-// A coordinate in cells from the land's middle, brought back from the copies.
+// A coordinate in cells from the land's middle, mapped from a copy back to the land.
 struct Folded {
     double at;
     int mirrored;  // 1 or -1
@@ -28,7 +28,7 @@ Mesh::Mesh(const Terrain& terrain) {
 
 bool Mesh::is_under(const Vec3& p, int lands) const {
     const double s = 0.5 * terrain_.spacing;
-    // Copies share the border's samples.
+    // Neighbouring copies share the samples of their border.
     const double x = lands * (terrain_.width() - 2.0 * s);
     const double y = lands * (terrain_.depth() - 2.0 * s);
     return p.x >= s - x && p.y >= s - y && p.x <= terrain_.width() + x - s &&

@@ -7,19 +7,20 @@
 
 namespace cydonia::render {
 
-// The land's surface between its samples as POV-Ray draws it: rounded heights, squares
-// split NW-SE. It goes on around itself, mirrored at its borders.
+// The land's surface as POV-Ray draws it: heights rounded to 16 bits and squares split
+// NW-SE. Copies of it, mirrored at its borders, continue it on all sides.
 class Mesh {
   public:
     explicit Mesh(const Terrain& terrain);
 
-    // With rounded heights and no more.
+    // The terrain with rounded heights, without masks.
     const Terrain& terrain() const { return terrain_; }
-    // Over so many lands on each side of this one.
+    // Whether a point is within this many copies of the land on each side.
     bool is_under(const Vec3& point, int lands) const;
 
-    // Where a place is: its square, how far in it, its triangle's slopes (rise a cell,
-    // east and south), the height; and which way a copy of the land is mirrored, 1 or -1.
+    // A point of the mesh: its square and the position in it, the slopes of its triangle
+    // (rise a cell, to the east and south), its height, and 1 or -1 for the mirroring of
+    // the copy of the land along each axis.
     struct Spot {
         int i, j;
         double u, v;
@@ -30,9 +31,9 @@ class Mesh {
     Spot spot(double east, double north) const;
     Vec3 face_normal(const Spot& spot) const;
     Vec3 smooth_normal(const Spot& spot) const;
-    // Of the side of this land or of a copy that the point is on.
+    // The normal of the side wall of the land, or of a copy, at a point on it.
     Vec3 side_normal(const Vec3& point) const;
-    // Of this land, metres east and north, for a place on it or on a copy.
+    // The corresponding point of the land, metres east and north.
     std::array<double, 2> on_land(double east, double north) const;
 
   private:

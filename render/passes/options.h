@@ -1,32 +1,40 @@
 #pragma once
 
-#include <iterator>
+#include <string_view>
 #include <vector>
+
+#include "field/enum_names.h"
 
 namespace cydonia::render {
 
-// What can be known of every pixel besides its colour; docs/passes.md.
+// What is known of every pixel besides its colour (docs/passes.md). A pass is a value, a
+// row of the table below and its layer in passes.cpp.
 enum class Pass {
     kDepth,     // metres along the view's axis
     kPosition,  // world metres: east, north, up
     kNormal,    // world: east, north, up
     kHeight,    // metres
     kSlope,     // degrees
-    kMaterial,  // number in the look
-    kType,      // of the ground, as texture stages have them: 1 for the first by name
+    kMaterial,  // index into the look's materials
+    kType,      // type of the land: 1 for the first by name, 0 for none
     kThing,     // number of its kind in the scene
-    kShadow,    // share of the sun that is hidden from there
-    kSky,       // share of the sky that is seen from there
-    kMotion,    // pixels to the right and down until the next frame, of a sequence
+    kShadow,    // share of the sun that is occluded
+    kSky,       // share of the sky that is visible
+    kMotion,    // pixels to the right and down until the next frame of a sequence
 };
-inline constexpr Pass kAllPasses[] = {Pass::kDepth,  Pass::kPosition, Pass::kNormal,
-                                      Pass::kHeight, Pass::kSlope,    Pass::kMaterial,
-                                      Pass::kType,   Pass::kThing,    Pass::kShadow,
-                                      Pass::kSky,    Pass::kMotion};
+inline constexpr Name<Pass> kPasses[] = {
+    {"depth", Pass::kDepth},   {"position", Pass::kPosition},
+    {"normal", Pass::kNormal}, {"height", Pass::kHeight},
+    {"slope", Pass::kSlope},   {"material", Pass::kMaterial},
+    {"type", Pass::kType},     {"thing", Pass::kThing},
+    {"shadow", Pass::kShadow}, {"sky", Pass::kSky},
+    {"motion", Pass::kMotion}};
+static_assert(is_complete(kPasses, Pass::kMotion));
+constexpr std::string_view name_of(Pass pass) { return name_in(kPasses, pass); }
 
 struct PassOptions {
-    std::vector<Pass> which{std::begin(kAllPasses), std::end(kAllPasses)};
-    bool separate = false;  // a file each, besides the frame, not one of many parts
+    std::vector<Pass> which = values_in(kPasses);
+    bool separate = false;  // one file for each pass instead of one EXR with all parts
 };
 
 }  // namespace cydonia::render

@@ -9,12 +9,12 @@
 
 #include "field/error.h"
 #include "field/parallel.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/embree/embree.h"
 #include "render/passes/copies.h"
 #include "render/passes/mesh.h"
-#include "render/pov/things.h"
-#include "render/pov/water.h"
+#include "render/scene/things.h"
+#include "render/scene/water.h"
 #include "render/shadow/soft.h"
 #include "render/sky/clouds.h"
 
@@ -25,8 +25,8 @@ using embree::Vertex;
 using embree::vertex;
 
 constexpr int kMaxSide = 16384;
-constexpr int kLandsAround = 2;  // on each side, as the .pov has them
-constexpr int kDiscPairs = 16;   // half the directions to the sun in a penumbra
+constexpr int kLandsAround = 2;  // copies of the land on each side, as in the .pov
+constexpr int kDiscPairs = 16;   // pairs of directions to the sun that sample a penumbra
 constexpr int kTile = 4;         // 4x4 neighbouring pixels are one packet of rays
 constexpr int kRays = kTile * kTile;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -36,15 +36,16 @@ std::array<float, 3> floats(const Vec3& v) {
 }
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// What a ray met, and how far away, metres.
-struct Meeting {
+// The first hit of a ray and its distance, metres.
+struct Hit {
     double distance = kNever;
     Surface surface = Surface::kSky;
     unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
     float u = 0.0f, v = 0.0f;
 };
 
-// A level plane, over so many lands on each side of the land, beyond them, or both.
+// A level plane. `lands` copies on each side of the land bound its inside; it exists
+// inside, outside or both.
 struct Plane {
     double height;
     int lands;
@@ -52,16 +53,17 @@ struct Plane {
     Surface surface;
 };
 
-// Where a point looks at the sun from, in Embree's space.
-struct Lookout {
+// Where the rays from a seen point to the sun begin, in Embree's space, and the
+// surface's normal there.
+struct ShadowRayOrigin {
     Vertex from{};
-    Vec3 normal{};  // nothing in the sky
+    Vec3 normal{};  // zero for the sky
 };
 
 }  // namespace
 
-// Embree's x, y and z are metres east, north and up from the middle of the land, over the
-// spacing.
+// Embree's x, y and z are metres east, north and up from the middle of the land, divided
+// by the spacing.
 struct View::Scene {
     Scene(const Terrain& land, const Scenery& scenery);
 
@@ -78,17 +80,18 @@ struct View::Scene {
     }
 
     using Rays = std::array<Ray, kRays>;
-    using Meetings = std::array<Meeting, kRays>;
-    void meet(RTCScene scene, const Rays& rays, Surface surface, Meetings& met) const;
-    void meet_planes(const Ray& ray, Meeting& met) const;
-    SeenPoint point(const Ray& ray, const Meeting& met, bool smooth,
+    using Hits = std::array<Hit, kRays>;
+    void intersect(RTCScene scene, const Rays& rays, Surface surface, Hits& hits) const;
+    void intersect_planes(const Ray& ray, Hit& hit) const;
+    SeenPoint point(const Ray& ray, const Hit& hit, bool smooth,
                     const Vec3& forward) const;
 
-    using Lookouts = std::array<Lookout, kRays>;
-    using Which = std::array<int, kRays>;  // as Embree wants it: -1 or 0
-    Lookout lookout(const SeenPoint& point) const;
-    // Those from where the sun is hidden, of those that are asked for.
-    Which hidden(const Lookouts& from, const Vec3& to_sun, const Which& asked) const;
+    using ShadowRayOrigins = std::array<ShadowRayOrigin, kRays>;
+    using Which = std::array<int, kRays>;  // -1 or 0, as Embree expects
+    ShadowRayOrigin shadow_ray_origin(const SeenPoint& point) const;
+    // Of the asked origins those from which the sun is occluded.
+    Which occluded(const ShadowRayOrigins& from, const Vec3& to_sun,
+                   const Which& asked) const;
     void cloud(const Field<SeenPoint>& points, const Sun& sun,
                Field<float>& shadow) const;
 
@@ -100,7 +103,7 @@ struct View::Scene {
     embree::Scene land;
     std::optional<embree::Scene> around, water, water_around;
     std::optional<Copies> things;
-    bool has_things;  // of the scene; none may be in view
+    bool has_things;  // whether the scene has things, in view or not
     SkyOptions sky;
     bool holds_image;
     std::vector<Plane> planes;
@@ -161,7 +164,7 @@ void View::Scene::lay_land() {
     rtcCommitScene(land.get());
 }
 
-// From the land's rim down to its lowest ground.
+// A side wall from the land's rim down to its lowest height.
 void View::Scene::lay_side(int count, const std::function<Vertex(int)>& rim) {
     embree::lay_grid(device, land, count, 2, [&](Vertex* laid) {
         for (int i = 0; i < count; ++i) {
@@ -182,7 +185,7 @@ void View::Scene::lay_water(const Field<float>& surface) {
     rtcCommitScene(water->get());
 }
 
-// Mirrored at the land's borders.
+// Adds copies of `what`, mirrored at the land's borders.
 void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
     for (int i = -kLandsAround; i <= kLandsAround; ++i)
         for (int j = -kLandsAround; j <= kLandsAround; ++j) {
@@ -196,8 +199,8 @@ void View::Scene::lay_around(embree::Scene& copies, const embree::Scene& what) {
     rtcCommitScene(copies.get());
 }
 
-void View::Scene::meet(RTCScene scene, const Rays& rays, Surface surface,
-                       Meetings& met) const {
+void View::Scene::intersect(RTCScene scene, const Rays& rays, Surface surface,
+                            Hits& hits) const {
     alignas(64) RTCRayHit16 packet{};
     alignas(64) Which valid{};
     for (std::size_t i = 0; i < kRays; ++i) {
@@ -207,7 +210,7 @@ void View::Scene::meet(RTCScene scene, const Rays& rays, Surface surface,
         packet.ray.org_z[i] = from.z;
         packet.ray.dir_x[i] = way.x, packet.ray.dir_y[i] = way.y;
         packet.ray.dir_z[i] = way.z;
-        packet.ray.tfar[i] = static_cast<float>(met[i].distance / space.unit);
+        packet.ray.tfar[i] = static_cast<float>(hits[i].distance / space.unit);
         packet.ray.mask[i] = ~0u;
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         valid[i] = -1;
@@ -215,51 +218,52 @@ void View::Scene::meet(RTCScene scene, const Rays& rays, Surface surface,
     const bool copies = scene != land.get() && (!water || scene != water->get());
     embree::find_hits(scene, valid.data(), packet,
                       copies ? embree::Follow::kAlone : embree::Follow::kTogether);
-    const auto& hit = packet.hit;
+    const auto& found = packet.hit;
     for (std::size_t i = 0; i < kRays; ++i) {
         const double distance = packet.ray.tfar[i] * space.unit;
-        if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID || distance >= met[i].distance)
+        if (found.geomID[i] == RTC_INVALID_GEOMETRY_ID || distance >= hits[i].distance)
             continue;
-        const bool side = surface == Surface::kLand && hit.geomID[i] > 0;
-        met[i] = {distance,         side ? Surface::kSide : surface,
-                  hit.instID[0][i], hit.geomID[i],
-                  hit.primID[i],    hit.u[i],
-                  hit.v[i]};
+        const bool side = surface == Surface::kLand && found.geomID[i] > 0;
+        hits[i] = {distance,           side ? Surface::kSide : surface,
+                   found.instID[0][i], found.geomID[i],
+                   found.primID[i],    found.u[i],
+                   found.v[i]};
     }
 }
 
-void View::Scene::meet_planes(const Ray& ray, Meeting& met) const {
+void View::Scene::intersect_planes(const Ray& ray, Hit& hit) const {
     for (const Plane& plane : planes) {
         const double distance = (plane.height - ray.from.z) / ray.direction.z;
-        if (!(distance > 0.0) || !(distance < met.distance)) continue;
+        if (!(distance > 0.0) || !(distance < hit.distance)) continue;
         const bool over = mesh.is_under(ray.from + distance * ray.direction, plane.lands);
         if (over ? plane.inside : plane.outside)
-            met = {distance, plane.surface, 0, 0, 0, 0.0f, 0.0f};
+            hit = {distance, plane.surface, 0, 0, 0, 0.0f, 0.0f};
     }
 }
 
-SeenPoint View::Scene::point(const Ray& ray, const Meeting& met, bool smooth,
+SeenPoint View::Scene::point(const Ray& ray, const Hit& hit, bool smooth,
                              const Vec3& forward) const {
-    if (met.surface == Surface::kSky) return {};
+    if (hit.surface == Surface::kSky) return {};
     SeenPoint seen;
-    seen.surface = met.surface;
-    Vec3 at = ray.from + met.distance * ray.direction;
+    seen.surface = hit.surface;
+    Vec3 at = ray.from + hit.distance * ray.direction;
     Vec3 normal{0.0, 0.0, 1.0};
-    if (met.surface == Surface::kLand) {
+    if (hit.surface == Surface::kLand) {
         const Mesh::Spot s = mesh.spot(at.x, at.y);
         normal = smooth ? mesh.smooth_normal(s) : mesh.face_normal(s);
-        // What is left of single precision would hide the point from itself; never where
-        // the mesh is nearly upright.
+        // Puts the point exactly on the mesh, since rounding could shadow it by itself.
+        // Where the mesh is nearly upright the two heights differ and the hit stays.
         if (std::abs(s.height - at.z) < 0.01 * space.unit) at.z = s.height;
-    } else if (met.surface == Surface::kSide) {
+    } else if (hit.surface == Surface::kSide) {
         normal = mesh.side_normal(at);
         if (dot(normal, ray.direction) > 0.0) normal = -1.0 * normal;  // on the very rim
-    } else if (met.surface == Surface::kThing) {
-        const Copies::Hit hit =
-            things->hit(met.instance, met.geometry, met.triangle, met.u, met.v);
-        normal = dot(hit.normal, ray.direction) > 0.0 ? -1.0 * hit.normal : hit.normal;
-        seen.thing = static_cast<std::uint8_t>(hit.kind + 1);
-        seen.shape = hit.shape;
+    } else if (hit.surface == Surface::kThing) {
+        const Copies::Facet facet =
+            things->facet(hit.instance, hit.geometry, hit.triangle, hit.u, hit.v);
+        normal =
+            dot(facet.normal, ray.direction) > 0.0 ? -1.0 * facet.normal : facet.normal;
+        seen.thing = static_cast<std::uint8_t>(facet.kind + 1);
+        seen.shape = facet.shape;
     }
     seen.at = floats(at);
     seen.normal = floats(normal);
@@ -267,7 +271,7 @@ SeenPoint View::Scene::point(const Ray& ray, const Meeting& met, bool smooth,
     return seen;
 }
 
-Lookout View::Scene::lookout(const SeenPoint& p) const {
+ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
     if (p.surface == Surface::kSky) return {};
     Vec3 at = vec(p.at), normal = vec(p.normal);
     if (p.surface == Surface::kLand) {
@@ -276,7 +280,7 @@ Lookout View::Scene::lookout(const SeenPoint& p) const {
         at.z = s.height;
     }
     Vertex from = vertex(to_embree(at));
-    // Off its own leaf, or its own side, which would shade itself.
+    // The origin is moved off a leaf or a side wall, which would shadow itself.
     if (p.surface == Surface::kThing || p.surface == Surface::kSide) {
         const float off = 8.0f * lift;
         return {{from.x + off * p.normal[0], from.y + off * p.normal[1],
@@ -287,8 +291,8 @@ Lookout View::Scene::lookout(const SeenPoint& p) const {
     return {from, normal};
 }
 
-View::Scene::Which View::Scene::hidden(const Lookouts& from, const Vec3& to_sun,
-                                       const Which& asked) const {
+View::Scene::Which View::Scene::occluded(const ShadowRayOrigins& from, const Vec3& to_sun,
+                                         const Which& asked) const {
     const Vertex way = vertex(to_sun);
     alignas(64) RTCRay16 packet{};
     alignas(64) Which valid{};
@@ -333,9 +337,8 @@ void View::Scene::cloud(const Field<SeenPoint>& points, const Sun& sun,
 }
 
 Scenery scenery_of(const Shot& shot, const Terrain& terrain) {
-    return {shot.options.water,  shot.around,
-            shot.options.things, pov::things_of(shot, terrain),
-            shot.options.sky,    !terrain.shadows.empty()};
+    return {shot.options.water,       shot.around,      shot.options.things,
+            things_of(shot, terrain), shot.options.sky, !terrain.shadows.empty()};
 }
 
 View::View(const Terrain& terrain, const Scenery& scenery) {
@@ -369,22 +372,23 @@ Field<SeenPoint> View::seen(const CameraRays& rays, bool smooth) const {
         const int y0 = band * kTile;
         for (int x0 = 0; x0 < points.width(); x0 += kTile) {
             Scene::Rays packet;
-            Scene::Meetings met{};
+            Scene::Hits hits{};
             for (int i = 0; i < kRays; ++i)
                 packet[i] = rays.through(x0 + i % kTile + 0.5, y0 + i / kTile + 0.5);
-            scene.meet(scene.land.get(), packet, Surface::kLand, met);
+            scene.intersect(scene.land.get(), packet, Surface::kLand, hits);
             if (scene.around)
-                scene.meet(scene.around->get(), packet, Surface::kLand, met);
-            if (scene.water) scene.meet(scene.water->get(), packet, Surface::kWater, met);
+                scene.intersect(scene.around->get(), packet, Surface::kLand, hits);
+            if (scene.water)
+                scene.intersect(scene.water->get(), packet, Surface::kWater, hits);
             if (scene.water_around)
-                scene.meet(scene.water_around->get(), packet, Surface::kWater, met);
+                scene.intersect(scene.water_around->get(), packet, Surface::kWater, hits);
             if (scene.things)
-                scene.meet(scene.things->scene(), packet, Surface::kThing, met);
+                scene.intersect(scene.things->scene(), packet, Surface::kThing, hits);
             for (int i = 0; i < kRays; ++i) {
                 const int x = x0 + i % kTile, y = y0 + i / kTile;
                 if (!points.contains(x, y)) continue;
-                scene.meet_planes(packet[i], met[i]);
-                points(x, y) = scene.point(packet[i], met[i], smooth, rays.forward());
+                scene.intersect_planes(packet[i], hits[i]);
+                points(x, y) = scene.point(packet[i], hits[i], smooth, rays.forward());
             }
         }
     });
@@ -399,8 +403,8 @@ Field<float> View::shadow(const Field<SeenPoint>& points, const Sun& sun,
         for (const Sun& s : suns) result.push_back(direction_to(s));
         return result;
     };
-    // A straight edge that leaves the rim alone, which is that of the square around the
-    // disc, does not cut the disc.
+    // The rim is that of the square around the disc: a straight edge that misses the
+    // square misses the disc.
     const std::vector<Vec3> rim = directions(
         as == SunAs::kDisc ? sun_rim(sun, std::sqrt(2.0)) : std::vector<Sun>{sun});
     const std::vector<Vec3> disc = directions(sun_disc(sun, kDiscPairs));
@@ -408,18 +412,18 @@ Field<float> View::shadow(const Field<SeenPoint>& points, const Sun& sun,
     parallel_for((points.height() + kTile - 1) / kTile, [&](int band) {
         const int y0 = band * kTile;
         for (int x0 = 0; x0 < points.width(); x0 += kTile) {
-            Scene::Lookouts from{};
+            Scene::ShadowRayOrigins from{};
             Scene::Which asked{};
             for (int i = 0; i < kRays; ++i) {
                 const int x = x0 + i % kTile, y = y0 + i / kTile;
                 if (!points.contains(x, y)) continue;
-                from[i] = scene.lookout(points(x, y));
+                from[i] = scene.shadow_ray_origin(points(x, y));
                 asked[i] = points(x, y).surface == Surface::kSky ? 0 : -1;
             }
             const auto count = [&](const std::vector<Vec3>& suns) {
                 Scene::Which sum{};
                 for (const Vec3& to_sun : suns) {
-                    const Scene::Which dark = scene.hidden(from, to_sun, asked);
+                    const Scene::Which dark = scene.occluded(from, to_sun, asked);
                     for (int i = 0; i < kRays; ++i) sum[i] -= dark[i];
                 }
                 return sum;

@@ -1,4 +1,4 @@
-// The folder of a .pov: flat, as POV-Ray's file security wants it.
+// Writes the folder of a .pov. It is flat because POV-Ray's file security demands it.
 #include <fmt/core.h>
 #include <tbb/parallel_invoke.h>
 
@@ -9,10 +9,10 @@
 #include "field/files.h"
 #include "field/parallel.h"
 #include "field/rgb.h"
-#include "render/ground/ground.h"
 #include "render/pov/pieces.h"
 #include "render/pov/scene.h"
 #include "render/pov/things.h"
+#include "render/scene/files.h"
 #include "render/sky/clouds.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
@@ -22,12 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestGround = 4096;  // pixels a side
 constexpr int kDomeHeight = 256;
 constexpr int kShade = 2048;  // pixels a side
-constexpr int kPacked = 1;    // POV-Ray reads it once
+constexpr int kPacked = 1;    // compression level: each file is read once
 
-// Of linear light in 65536 steps, the finest a twentieth of a level.
+// The sRGB level of linear light in 65536 steps, the finest a twentieth of a level.
 const std::vector<std::uint8_t>& srgb_levels() {
     static const std::vector<std::uint8_t> levels = [] {
         std::vector<std::uint8_t> result(65536);
@@ -59,12 +58,6 @@ Field<std::uint16_t> levels_of(const Field<float>& share) {
     return result;
 }
 
-// Pixels a cell; a draft's frame is a third as large.
-int ground_detail(const Field<float>& heights, Quality quality) {
-    const int longest = std::max(heights.width(), heights.height());
-    return std::clamp(kLongestGround / longest, 1, quality == Quality::kDraft ? 2 : 4);
-}
-
 const char* antialiasing(Quality quality) {
     switch (quality) {
         case Quality::kDraft:
@@ -80,31 +73,33 @@ const char* antialiasing(Quality quality) {
 }
 
 std::string ini(const Shot& shot) {
-    return fmt::format(R"(; povray {0}.ini
-Input_File_Name={0}.pov
-Output_File_Name={0}.exr
+    return fmt::format(R"(; povray {0}
+Input_File_Name={1}
+Output_File_Name={2}
 Output_File_Type=E
-Width={1}
-Height={2}
-{3}Display=Off
+Width={3}
+Height={4}
+{5}Display=Off
 Pause_When_Done=Off
 )",
-                       shot.name, shot.camera.width, shot.camera.height,
-                       antialiasing(shot.quality));
+                       file_of(shot.name, ShotFile::kSettings),
+                       file_of(shot.name, ShotFile::kScene),
+                       file_of(shot.name, ShotFile::kFrame), shot.camera.width,
+                       shot.camera.height, antialiasing(shot.quality));
 }
 
-// POV-Ray's fog lies over the sky too.
+// The sky's image. POV-Ray's fog lies over the sky too, so the fog is taken out of it.
 Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
     Field<Rgb> dome = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
-    if (!pov::has_haze(shot)) return dome;
+    if (!has_haze(shot)) return dome;
     const double eye = shot.camera.eye.z - std::ranges::min(terrain.heights);
-    return behind_haze(dome, pov::haze_light(shot),
+    return behind_haze(dome, haze_light(shot),
                        visibility(shot.options.sky, shot.options.haze, terrain.width()),
                        eye);
 }
 
-// Above all land, as wide as what is near it, and as far toward the sun as its shadows
-// reach.
+// The sheet that casts the shadows of clouds: above all land, as wide as its
+// surroundings, and moved toward the sun so that its shadow falls on the land.
 std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terrain) {
     if (!throw_shadows(shot.options.sky, shot.sun, !terrain.shadows.empty()))
         return std::nullopt;
@@ -121,19 +116,16 @@ std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terr
 }  // namespace
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
-                                          const GroundOptions& options, Quality quality) {
-    const GroundMap ground =
-        ground_map(terrain, options, ground_detail(terrain.heights, quality));
-    // Each in its own thread: packing is most of the work.
+                                          const LandMaps& maps) {
+    // One thread for each file, since compression is most of the work.
     tbb::parallel_invoke(
         [&] {
             write_png(folder / "heights.png", quantised(terrain.heights).levels, kPacked);
         },
-        [&] { write_png(folder / "ground.png", srgb(ground.albedo), kPacked); },
-        [&] { write_png(folder / "materials.png", ground.materials, kPacked); },
+        [&] { write_png(folder / "ground.png", srgb(maps.ground.albedo), kPacked); },
+        [&] { write_png(folder / "materials.png", maps.ground.materials, kPacked); },
         [&] {
-            write_png(folder / "sky_visibility.png",
-                      levels_of(sky_visibility(terrain.heights, terrain.spacing)),
+            write_png(folder / "sky_visibility.png", levels_of(maps.sky_visibility),
                       kPacked);
         });
     std::vector<std::string> names{"heights.png", "ground.png", "materials.png",
@@ -151,13 +143,13 @@ std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& sho
     const std::string things = pov::things(shot, terrain);
     std::vector<std::string> added;
     if (shade) {
-        added.push_back("clouds_" + shot.name + ".png");
+        added.push_back(file_of(shot.name, ShotFile::kCloudShadows));
         write_png(folder / added.back(),
                   levels_of(cloud_shadows(shot.sun, shade->middle, shade->size, kShade)),
                   kPacked);
     }
     if (!things.empty()) {
-        added.push_back("things_" + shot.name + ".inc");
+        added.push_back(file_of(shot.name, ShotFile::kThings));
         write_text(folder / added.back(), things);
     }
     std::string scene = pov_scene(shot, quantised(terrain.heights), terrain.spacing,
@@ -165,8 +157,9 @@ std::vector<std::string> write_pov_scene(const fs::path& folder, const Shot& sho
     if (shade) scene += pov::cloud_shade(*shade);
     if (!things.empty()) scene += fmt::format("#include \"{}\"\n", added.back());
 
-    std::vector<std::string> names{"sky_" + shot.name + ".exr", shot.name + ".pov",
-                                   shot.name + ".ini"};
+    std::vector<std::string> names{file_of(shot.name, ShotFile::kSky),
+                                   file_of(shot.name, ShotFile::kScene),
+                                   file_of(shot.name, ShotFile::kSettings)};
     write_exr(folder / names[0], dome_of(shot, terrain));
     write_text(folder / names[1], scene);
     write_text(folder / names[2], ini(shot));

@@ -1,18 +1,20 @@
-// Light, air and how they are traced.
+// Light, air and the settings for tracing them.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/pov/pieces.h"
+#include "render/scene/files.h"
 #include "render/sky/haze.h"
 #include "render/sky/sky.h"
 
 namespace cydonia::render::pov {
 namespace {
 
-// Gathered from many directions at few places, smoothly joined: one bounce and the sky.
-// The numbers were found by eye on mountains; more cost minutes and show nothing.
+// Light from the sky and one bounce, gathered at few points from many directions and
+// interpolated. The numbers were chosen by eye on mountains; higher ones cost minutes and
+// show no difference.
 std::string radiosity(Quality quality) {
     if (!has_radiosity(quality)) return "";
     const bool final = quality == Quality::kFinal;
@@ -28,21 +30,6 @@ std::string radiosity(Quality quality) {
 }
 
 }  // namespace
-
-Rgb haze_light(const Shot& shot) {
-    constexpr double kBeyond = 2.0;  // what is behind the subject
-    const double kHorizon = radians(0.7);
-    const Camera& camera = shot.camera;
-    const Vec3 view = camera.target - camera.eye;
-    const double half_height =
-        std::atan(std::tan(0.5 * camera.field_of_view) * camera.height / camera.width);
-    const double highest = std::asin(view.z / length(view)) + half_height;
-    const bool sees_horizon = highest >= kHorizon;
-    return air_light(shot.sun, shot.options.sky, std::atan2(view.x, view.y),
-                     camera.field_of_view, std::clamp(kBeyond * length(view), 5e3, 80e3),
-                     sees_horizon ? kHorizon : highest,
-                     sees_horizon ? 0.0 : std::max(0.0, -view.z));
-}
 
 bool has_stars(const Shot& shot) {
     return shot.options.sky.moon > 0.0 && shot.options.sky.air &&
@@ -115,16 +102,16 @@ std::string sky(const Shot& shot) {
     return fmt::format(R"(// The whole sky around the land, the sun's disc left out.
 sky_sphere {{
     pigment {{
-        image_map {{ exr "sky_{}.exr" map_type 1 interpolate 2 }}
+        image_map {{ exr "{}" map_type 1 interpolate 2 }}
     }}
 }}
 
 )",
-                       shot.name);
+                       file_of(shot.name, ShotFile::kSky));
 }
 
-// As many as the eye sees, brighter ones rarer: 0.51 of a power of ten a magnitude. A
-// pixel wide whatever the frame's size.
+// As many stars as the eye sees; their number grows by 10^0.51 a magnitude. Each is a
+// pixel wide in frames of any size.
 std::string stars(const Shot& shot) {
     return fmt::format(R"(// Stars, behind all land.
 #declare StarsAt = At({});
@@ -156,7 +143,7 @@ std::string cloud_shade(const CloudShade& shade) {
 polygon {{
     5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
     pigment {{
-        image_pattern {{ png "clouds_{}.png" gamma 1.0 interpolate 2 once }}
+        image_pattern {{ png "{}" gamma 1.0 interpolate 2 once }}
         color_map {{ [0 rgbt <0, 0, 0, 0>] [1 rgbt <0, 0, 0, 1>] }}
     }}
     finish {{ diffuse 0 }}
@@ -167,10 +154,11 @@ polygon {{
 }}
 
 )",
-        shade.frame, number(shade.size), numbers(shade.middle));
+        file_of(shade.frame, ShotFile::kCloudShadows), number(shade.size),
+        numbers(shade.middle));
 }
 
-// One fog: POV-Ray adds up the colours of several, and the horizon would shine.
+// There is only one fog: POV-Ray adds the colours of several, and the horizon would glow.
 std::string haze() {
     return fmt::format(
         R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the

@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "field/error.h"
 #include "render/pov/pieces.h"
-#include "render/sky/haze.h"
+#include "render/scene/files.h"
 
 namespace cydonia::render {
 namespace pov {
@@ -27,17 +26,12 @@ std::string numbers(const Vec3& v) {
     return fmt::format("{}, {}, {}", number(v.x), number(v.y), number(v.z));
 }
 
-// Four digits: as fine as a film grade, and the same wherever the light was worked out.
+// Four digits are as fine as a film grade, and equal on every processor.
 std::string numbers(const Rgb& colour) {
     return fmt::format("{:.4g}, {:.4g}, {:.4g}", colour[0], colour[1], colour[2]);
 }
 
 bool has_radiosity(Quality quality) { return quality != Quality::kDraft; }
-
-bool has_haze(const Shot& shot) {
-    return shot.camera.projection == Camera::Projection::kPerspective &&
-           visibility(shot.options.sky, shot.options.haze, 1.0) > 0.0;
-}
 
 namespace {
 
@@ -49,22 +43,22 @@ std::string header(const Shot& shot, bool has_water,
 //
 // A landscape by Cydonia. In the folder of this file, with POV-Ray 3.7:
 //
-//     povray {1}.ini
+//     povray {1}
 //
-// It needs {2}ground.png, sky_visibility.png and sky_{1}.exr beside it, and
-// draws {1}.exr: linear light, Rec.709 primaries, no exposure.
+// It needs {2}ground.png, sky_visibility.png and {3} beside it, and
+// draws {4}: linear light, Rec.709 primaries, no exposure.
 
 #version 3.7;
 
 )",
-                       comment(shot.title), shot.name, beside);
+                       comment(shot.title), file_of(shot.name, ShotFile::kSettings),
+                       beside, file_of(shot.name, ShotFile::kSky),
+                       file_of(shot.name, ShotFile::kFrame));
 }
 
-// The name stands in file names and in quotes.
+// The name becomes part of file names and of quoted strings.
 void check_name(const std::string& name) {
-    const bool safe = std::ranges::all_of(
-        name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
-    if (name.empty() || name.size() > 64 || !safe)
+    if (!is_shot_name(name))
         throw bad_request("a camera's name is 1 to 64 of A-Z a-z 0-9 _ -, not '{}'",
                           comment(name));
 }
@@ -83,7 +77,7 @@ std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing
     text += pov::camera(shot);
     text += pov::sun(shot);
     text += pov::sky(shot);
-    if (pov::has_haze(shot)) text += pov::haze();
+    if (has_haze(shot)) text += pov::haze();
     if (pov::has_stars(shot)) text += pov::stars(shot);
     text += pov::ground(shot);
     text += pov::outskirts(shot, heights, water && water->sea);

@@ -5,38 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "field/camera.h"
 #include "field/quantise.h"
 #include "field/terrain.h"
-#include "render/options.h"
-#include "render/pov/water.h"
+#include "render/scene/land_maps.h"
+#include "render/scene/shot.h"
+#include "render/scene/water.h"
 
 namespace cydonia::render {
 
-// One frame to be drawn: everything the .pov says, resolved.
-struct Shot {
-    std::string title;  // for the comment at the top; any bytes
-    std::string name;   // file-name-safe; the .pov and the frame are called after it
-    Camera camera;
-    Sun sun;
-    Options options;
-    Quality quality = Quality::kPreview;
-    Around around = Around::kLevel;
-    bool smooth = false;  // is_smooth (render/camera_view.h)
-};
-
-// The .pov as text, commented, to run with plain `povray` in the folder of its assets.
-// Pure. `added`: files that what the caller appends to it needs.
+// The text of a .pov, with comments, to be run with plain `povray` in the folder of its
+// assets. `added` names further files that text appended by the caller needs.
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
                       const std::optional<WaterSurface>& water = {},
                       const std::vector<std::string>& added = {});
 
-// Writes what all shots share (heights, water, ground, sky visibility) and, per shot, its
-// sky, <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants
-// it. Gives the names of the files.
+// Write the files of a .pov into `folder` and return their names: write_pov_assets()
+// those that all shots share (heights, water, ground, sky visibility), write_pov_scene()
+// those of one shot (render/scene/files.h).
 std::vector<std::string> write_pov_assets(const std::filesystem::path& folder,
-                                          const Terrain& terrain,
-                                          const GroundOptions& ground, Quality quality);
+                                          const Terrain& terrain, const LandMaps& maps);
 std::vector<std::string> write_pov_scene(const std::filesystem::path& folder,
                                          const Shot& shot, const Terrain& terrain);
 

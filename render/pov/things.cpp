@@ -1,33 +1,26 @@
-// Things on the ground: a few originals and many copies, metres until the end.
+// Things on the ground: many copies of a few originals, in metres; the union is scaled.
 #include "render/pov/things.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <iterator>
 #include <utility>
 
 #include "render/pov/pieces.h"
+#include "render/scene/things.h"
 #include "render/things/originals.h"
 
 namespace cydonia::render::pov {
 namespace {
 
-constexpr const char* kNames[] = {"Conifer", "Broadleaf", "Shrub",
-                                  "Grass",   "Rock",      "Boulder"};
-
-// A copy takes about two kilobytes of POV-Ray.
-std::size_t most_copies(Quality quality) {
-    switch (quality) {
-        case Quality::kDraft:
-            return 10'000;
-        case Quality::kPreview:
-            return 60'000;
-        case Quality::kFinal:
-            break;
-    }
-    return 200'000;
+// "Conifer": what the .pov calls the originals of a kind, before their number.
+std::string declared_name(ThingOptions::Kind kind) {
+    std::string name(name_in(kThingKinds, kind));
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
 }
 
 std::string vector(const std::array<float, 3>& v) {
@@ -57,37 +50,27 @@ std::string mesh(const Original::Part& part) {
 std::string original(ThingOptions::Kind kind, int number) {
     const Original of = original_of(kind, number);
     std::string text =
-        fmt::format("#declare {}{} = union {{\n", kNames[static_cast<int>(kind)], number);
+        fmt::format("#declare {}{} = union {{\n", declared_name(kind), number);
     for (const Original::Part& part : of.parts) text += mesh(part);
     return text + "}\n";
 }
 
 }  // namespace
 
-std::vector<std::vector<Thing>> things_of(const Shot& shot, const Terrain& terrain) {
-    const std::vector<ThingOptions>& kinds = shot.options.things;
-    std::vector<std::vector<Thing>> all;
-    for (int i = 0; i < int(kinds.size()); ++i)
-        all.push_back(things_in_view(terrain, kinds[std::size_t(i)], i, shot.camera,
-                                     most_copies(shot.quality) / kinds.size(),
-                                     shot.options.water));
-    return all;
-}
-
 std::string things(const Shot& shot, const Terrain& terrain) {
     const std::vector<ThingOptions>& kinds = shot.options.things;
     if (kinds.empty()) return "";
-    // Light through leaves and between blades is not traced: half the sky's stands for
-    // it.
+    // Light through leaves and between blades is not traced; a share of the sky's light
+    // stands for it.
     std::string text = R"(// Things on the ground: x east, y up, z north, metres.
 #declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.25 * SkyLight * SkyFill }
 )";
-    std::array<bool, std::size(kNames)> declared{};
+    std::array<bool, std::size(kThingKinds)> declared{};
     std::string copies;
     const std::vector<std::vector<Thing>> strewn = things_of(shot, terrain);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const ThingOptions& of = kinds[i];
-        const char* name = kNames[static_cast<int>(of.kind)];
+        const std::string name = declared_name(of.kind);
         for (const Thing& thing : strewn[i])
             fmt::format_to(std::back_inserter(copies),
                            "object{{{}{} scale {:.4g} rotate {:.1f}*y "

@@ -1,77 +1,11 @@
-#include "render/pov/water.h"
-
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "field/border.h"
 #include "render/pov/pieces.h"
 
-namespace cydonia::render {
+namespace cydonia::render::pov {
 namespace {
 
-// Of a cell, that water beside land lower than itself keeps under it.
-constexpr float kUnderLand = 0.02f;
-
-// The level of the water at a sample, of the highest beside it where it is dry itself, or
-// kDry.
-float level_near(const Terrain& terrain, int x, int y) {
-    float level = kDry;
-    for (int j = y - 1; j <= y + 1; ++j) {
-        for (int i = x - 1; i <= x + 1; ++i) {
-            if (!terrain.heights.contains(i, j)) continue;
-            const std::size_t sample = terrain.heights.index(i, j);
-            if (water_depth(terrain, sample) > 0.0f) {
-                level = std::max(level, terrain.water[sample]);
-            }
-        }
-    }
-    return level;
-}
-
-float surface_at(const Terrain& terrain, int x, int y) {
-    const std::size_t sample = terrain.heights.index(x, y);
-    if (water_depth(terrain, sample) > 0.0f) return terrain.water[sample];
-    const auto under = kUnderLand * static_cast<float>(terrain.spacing);
-    return std::min(level_near(terrain, x, y), terrain.heights[sample] - under);
-}
-
-std::optional<double> sea_of(const Terrain& terrain) {
-    std::optional<double> lowest;
-    on_border(terrain.heights, [&](int x, int y) {
-        const std::size_t sample = terrain.heights.index(x, y);
-        if (water_depth(terrain, sample) <= 0.0f) return;
-        const double level = terrain.water[sample];
-        lowest = std::min(lowest.value_or(level), level);
-    });
-    return lowest;
-}
-
-}  // namespace
-
-std::optional<WaterSurface> water_surface(const Terrain& terrain) {
-    if (terrain.water.empty()) return std::nullopt;
-    const int width = terrain.heights.width(), height = terrain.heights.height();
-    // Where there is none, so low that what leads down to it stays under all land.
-    const float none =
-        std::ranges::min(terrain.heights) - static_cast<float>(terrain.spacing);
-    Field<float> surface(width, height);
-    bool any = false;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            surface(x, y) = std::max(none, surface_at(terrain, x, y));
-            any = any || surface(x, y) > none;
-        }
-    }
-    if (!any) return std::nullopt;
-    return WaterSurface{quantised(surface), sea_of(terrain)};
-}
-
-namespace pov {
-namespace {
-
-// Waves of three lengths, without those that are too small to be seen.
+// Waves of three lengths, without those too small to be seen.
 std::string waves(const Camera& camera) {
     std::string lengths;
     constexpr struct {
@@ -119,7 +53,7 @@ std::string flood(const Shot& shot) {
 // Water: dark by itself, it mirrors the sky where it is seen at a low angle.
 #declare WaterLevel = {} + {} * LandWidth;
 #declare Water = texture {{
-    pigment {{ color rgb <0.004, 0.016, 0.022> }}
+    pigment {{ color rgb <{}> }}
 {}    finish {{ reflection {{ 0, 1 fresnel on }} conserve_energy{} }}
 }};
 plane {{
@@ -133,11 +67,12 @@ plane {{
         }}
     #end
     texture {{ Water }}
-    interior {{ ior 1.33 }}
+    interior {{ ior {} }}
 }}
 )",
-                       number(level.metres), number(level.fraction), waves(shot.camera),
-                       skylight(shot));
+                       number(level.metres), number(level.fraction),
+                       numbers(kFloodColour), waves(shot.camera), skylight(shot),
+                       number(kWaterIndex));
 }
 
 std::string water(const Shot& shot, const WaterSurface& surface) {
@@ -146,13 +81,13 @@ std::string water(const Shot& shot, const WaterSurface& surface) {
 // Seas and lakes: a blue-green veil over the bed, whose colour in ground.png is what their
 // depth leaves of it, and a mirror of the sky where they are seen at a low angle.
 #declare ClearWater = texture {{
-    pigment {{ color rgbt <0.02, 0.08, 0.11, 0.8> }}
+    pigment {{ color rgbt <{}, {}> }}
 {}    finish {{
         reflection {{ 0, 1 fresnel on }} conserve_energy{}
         specular 0.5 roughness 0.004 // the sun
     }}
 }};
-#declare InWater = interior {{ ior 1.33 }};
+#declare InWater = interior {{ ior {} }};
 
 // Their surface is at its level where they are and under the land beside the shore, which
 // hides it; elsewhere it is cut away.
@@ -166,11 +101,11 @@ std::string water(const Shot& shot, const WaterSurface& surface) {
 }}
 object {{ Lakes }}
 {})",
-               waves(shot.camera), skylight(shot), number(surface.heights.range),
+               numbers(kWaterVeil), number(kWaterClear), waves(shot.camera),
+               skylight(shot), number(kWaterIndex), number(surface.heights.range),
                number(surface.heights.base),
                shot.around == Around::kLand ? "Again(Lakes)\n" : "") +
            (surface.sea ? open_sea(*surface.sea) : "");
 }
 
-}  // namespace pov
-}  // namespace cydonia::render
+}  // namespace cydonia::render::pov

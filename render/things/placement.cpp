@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "field/error.h"
 #include "field/image.h"
@@ -11,17 +12,18 @@
 #include "field/random.h"
 #include "field/sample.h"
 #include "field/smoothstep.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/things/originals.h"
 
 namespace cydonia::render {
 namespace {
 
-constexpr double kMostPlaces = 32e6;  // looked at for a kind and frame
-constexpr double kLeastPixels = 1.0;  // a thing lower than that is not worth its memory
-constexpr double kGroup = 12.0;       // mean distances from one group to the next
-constexpr double kTreeLine = 0.12;    // of the relief, in which things thin out
-constexpr double kBehind = 12.0;  // heights: so far out of view a shadow may come from
+constexpr double kMostSquares = 32e6;  // of the lattice, for a kind and frame
+constexpr double kLeastPixels = 1.0;   // things lower than this in the frame are left out
+constexpr double kGroup = 12.0;  // distance between groups, in mean distances of things
+constexpr double kTreeLine = 0.12;  // share of the relief over which things become rarer
+constexpr double kBehind =
+    12.0;  // shadows may enter the frame from this many heights outside
 
 // Where on the land a kind stands, and how tall.
 class Suitability {
@@ -52,7 +54,7 @@ class Suitability {
         if (options.map) map_ = read_grey(*options.map);
     }
 
-    // In cells; the share of all places that are taken there.
+    // The share of the lattice that is taken at a point, in cells.
     double at(double x, double y, double height) const {
         if (shows_image(x, y)) return 0.0;
         double share =
@@ -73,7 +75,7 @@ class Suitability {
                            0.5 * gradient_noise(3.1 * e, 3.1 * n, mix(seed_)));
         return share * (1.0 - options_.clumping + options_.clumping * grouped);
     }
-    // Of its full height: small towards the tree line.
+    // The share of its full height that a thing has: less towards the tree line.
     double growth(double height) const {
         return to_ ? 1.0 - 0.65 * smoothstep(*to_ - band_, *to_, height) : 1.0;
     }
@@ -114,7 +116,7 @@ class Suitability {
     Field<float> map_;
 };
 
-// Whether a place is in a camera's frame, or so near that its shadow may be.
+// Tells whether a thing is in a camera's frame, or so near that its shadow may be.
 class Frame {
   public:
     explicit Frame(const Camera& camera)
@@ -123,7 +125,7 @@ class Frame {
           pixel_(pixel_side(camera)),
           half_(0.5 * camera.width * pixel_),
           aspect_(aspect(camera)) {}
-    // Beyond this a thing of `height` is lower than a pixel.
+    // The distance beyond which a thing of `height` is lower than a pixel.
     double reach(double height) const {
         if (perspective_) return height / (kLeastPixels * pixel_);
         const double diagonal = std::hypot(1.0, 1.0 / aspect_) * half_;
@@ -151,7 +153,7 @@ class Frame {
 
 struct Candidate {
     Thing thing;
-    double rank;  // the lowest stay
+    double rank;  // those with the lowest rank are kept
 };
 
 void keep_first(std::vector<Candidate>& all, std::size_t most) {
@@ -164,7 +166,86 @@ void keep_first(std::vector<Candidate>& all, std::size_t most) {
     all.resize(most);
 }
 
-// Behind a crest from everywhere near the eye's line; things near the eye never are.
+// One square of a lattice over the plane for each thing at full density, taken or not.
+class Lattice {
+  public:
+    Lattice(const Terrain& terrain, const ThingOptions& options, double density,
+            int number, const Frame& frame, const std::optional<WaterOptions>& flood)
+        : terrain_(terrain),
+          habit_(habit_of(options.kind)),
+          size_(options.size.value_or(habit_.size)),
+          apart_(1.0 / std::sqrt(density)),
+          number_(number),
+          frame_(frame),
+          suitability_(terrain, options, apart_, number, flood) {}
+
+    // Those in the frame, by squares from the south-west.
+    std::vector<Candidate> candidates() const {
+        const double reach =
+            std::min(frame_.reach(size_[1]), 0.5 * std::sqrt(kMostSquares) * apart_);
+        const Vec3 eye = frame_.eye();
+        const std::int64_t west = square(std::max(0.0, eye.x - reach)),
+                           east = square(std::min(terrain_.width(), eye.x + reach)),
+                           south = square(std::max(0.0, eye.y - reach)),
+                           north = square(std::min(terrain_.depth(), eye.y + reach));
+        if (east < west || north < south) return {};
+        std::vector<std::vector<Candidate>> rows(std::size_t(north - south + 1));
+        parallel_for(int(rows.size()), 16, [&](int row) {
+            for (std::int64_t i = west; i <= east; ++i)
+                if (const auto found = candidate(i, south + row))
+                    rows[std::size_t(row)].push_back(*found);
+        });
+        std::vector<Candidate> all;
+        for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+        return all;
+    }
+
+  private:
+    std::int64_t square(double metres) const {
+        return std::int64_t(std::floor(metres / apart_));
+    }
+
+    std::optional<Candidate> candidate(std::int64_t i, std::int64_t j) const {
+        std::uint64_t h = hash_of(
+            {key("things"), std::uint64_t(number_), std::uint64_t(i), std::uint64_t(j)});
+        const auto draw = [&] { return unit(h = mix(h)); };
+        const double east = (double(i) + draw()) * apart_,
+                     north = (double(j) + draw()) * apart_;
+        if (east >= terrain_.width() || north >= terrain_.depth()) return std::nullopt;
+        const double x = east / terrain_.spacing - 0.5;
+        const double y = (terrain_.depth() - north) / terrain_.spacing - 0.5;
+        const double ground = ground_at(terrain_, east, north);
+        const Vec3 at{east, north, ground};
+        if (!frame_.holds(at, size_[1])) return std::nullopt;
+        if (draw() >= suitability_.at(x, y, ground)) return std::nullopt;
+        // There are more low things than tall ones, since things grow and break.
+        const double grown = std::pow(draw(), 1.4);
+        const double height =
+            (size_[0] + grown * (size_[1] - size_[0])) * suitability_.growth(ground);
+        Candidate found;
+        found.thing = {{east, north, ground - habit_.sunk * height},
+                       float(height),
+                       float(2.0 * std::numbers::pi * draw()),
+                       std::uint8_t(h >> 60 & (kOriginals - 1))};
+        const double distance = frame_.distance(at);
+        if (frame_.perspective() && distance > frame_.reach(height)) return std::nullopt;
+        // Nearby all stay. Farther off the same angle holds more of them, and as many
+        // fewer stay.
+        found.rank = distance * std::sqrt(draw()) / height;
+        return found;
+    }
+
+    const Terrain& terrain_;
+    const Habit& habit_;
+    const std::array<double, 2> size_;
+    const double apart_;  // metres from square to square
+    const int number_;
+    const Frame& frame_;
+    const Suitability suitability_;
+};
+
+// Whether a crest hides the top of a thing from the eye; it never hides things near the
+// eye.
 bool is_hidden(const Terrain& terrain, const Vec3& eye, const Vec3& top) {
     constexpr int kSteps = 96;
     for (int i = 1; i < kSteps; ++i) {
@@ -174,77 +255,32 @@ bool is_hidden(const Terrain& terrain, const Vec3& eye, const Vec3& top) {
     return false;
 }
 
+void drop_hidden(std::vector<Candidate>& all, const Terrain& terrain, const Vec3& eye) {
+    std::vector<char> hidden(all.size());
+    parallel_for(int(all.size()), 256, [&](int i) {
+        const Thing& thing = all[std::size_t(i)].thing;
+        const Vec3 top{thing.foot.x, thing.foot.y, thing.foot.z + thing.height};
+        hidden[std::size_t(i)] = is_hidden(terrain, eye, top);
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!hidden[i]) all[kept++] = all[i];
+    all.resize(kept);
+}
+
 }  // namespace
 
 std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& options,
                                   int number, const Camera& camera, std::size_t most,
                                   const std::optional<WaterOptions>& flood) {
-    const Habit& habit = habit_of(options.kind);
-    const double density = options.density.value_or(habit.density) / 1e4;
+    const double density = options.density.value_or(habit_of(options.kind).density) / 1e4;
     if (density <= 0.0) return {};
-    const auto size = options.size.value_or(habit.size);
-    const double apart = 1.0 / std::sqrt(density);
     const Frame frame(camera);
-    const double reach =
-        std::min(frame.reach(size[1]), 0.5 * std::sqrt(kMostPlaces) * apart);
-    const Vec3 eye = frame.eye();
-    const auto first = [&](double v) { return std::int64_t(std::floor(v / apart)); };
-    const std::int64_t x0 = first(std::max(0.0, eye.x - reach)),
-                       x1 = first(std::min(terrain.width(), eye.x + reach)),
-                       y0 = first(std::max(0.0, eye.y - reach)),
-                       y1 = first(std::min(terrain.depth(), eye.y + reach));
-    if (x1 < x0 || y1 < y0) return {};
-
-    // One place a square of the plane, taken or not.
-    const Suitability suitability(terrain, options, apart, number, flood);
-    const auto candidate_at = [&](std::int64_t i, std::int64_t j, Candidate& found) {
-        std::uint64_t h = hash_of(
-            {key("things"), std::uint64_t(number), std::uint64_t(i), std::uint64_t(j)});
-        const auto draw = [&] { return unit(h = mix(h)); };
-        const double east = (double(i) + draw()) * apart,
-                     north = (double(j) + draw()) * apart;
-        if (east >= terrain.width() || north >= terrain.depth()) return false;
-        const double x = east / terrain.spacing - 0.5;
-        const double y = (terrain.depth() - north) / terrain.spacing - 0.5;
-        const double ground = ground_at(terrain, east, north);
-        const Vec3 at{east, north, ground};
-        if (!frame.holds(at, size[1])) return false;
-        if (draw() >= suitability.at(x, y, ground)) return false;
-        // More low ones than tall ones, as things grow and break.
-        const double grown = std::pow(draw(), 1.4);
-        const double height =
-            (size[0] + grown * (size[1] - size[0])) * suitability.growth(ground);
-        found.thing = {{east, north, ground - habit.sunk * height},
-                       float(height),
-                       float(2.0 * std::numbers::pi * draw()),
-                       std::uint8_t(h >> 60 & (kOriginals - 1))};
-        const double distance = frame.distance(at);
-        if (frame.perspective() && distance > frame.reach(height)) return false;
-        // All there are nearby; then as many fewer as they are more in the same angle.
-        found.rank = distance * std::sqrt(draw()) / height;
-        return true;
-    };
-    std::vector<std::vector<Candidate>> rows(std::size_t(y1 - y0 + 1));
-    parallel_for(int(rows.size()), 16, [&](int row) {
-        Candidate found;
-        for (std::int64_t i = x0; i <= x1; ++i)
-            if (candidate_at(i, y0 + row, found)) rows[std::size_t(row)].push_back(found);
-    });
-    std::vector<Candidate> all;
-    for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
-
+    std::vector<Candidate> all =
+        Lattice(terrain, options, density, number, frame, flood).candidates();
     if (frame.perspective()) {
         keep_first(all, 8 * most);
-        std::vector<char> hidden(all.size());
-        parallel_for(int(all.size()), 256, [&](int i) {
-            const Thing& thing = all[std::size_t(i)].thing;
-            const Vec3 top{thing.foot.x, thing.foot.y, thing.foot.z + thing.height};
-            hidden[std::size_t(i)] = is_hidden(terrain, eye, top);
-        });
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (!hidden[i]) all[kept++] = all[i];
-        all.resize(kept);
+        drop_hidden(all, terrain, frame.eye());
     }
     keep_first(all, most);
     std::ranges::sort(all, {}, [](const Candidate& c) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "field/error.h"
+#include "field/file_names.h"
 #include "field/random.h"
 #include "synth/genetic/evolution/by_texture.h"
 #include "synth/genetic/evolution/height_field.h"
@@ -42,26 +43,28 @@ Regions regions_of(const MapRaster& map) {
     return regions;
 }
 
-// A name that is safe in a file name: the mask of "sea floor" is "type-sea-floor".
-std::string file_safe(std::string name) {
-    for (char& c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           (c >= '0' && c <= '9') || c == '_';
-        if (!plain) c = '-';
-    }
-    return name;
+// "sea floor" as the mask "type-sea-floor". A type whose name clashes with another's so,
+// or is not ASCII, keeps its name as it is.
+std::vector<std::string> mask_names(const std::vector<TypeOptions>& types) {
+    std::vector<std::string> names;
+    for (const TypeOptions& type : types) names.push_back(type.name);
+    const std::vector<std::string> safe = file_names_of(names);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = "type-" + (safe[i].find('~') == safe[i].npos ? safe[i] : names[i]);
+    return names;
 }
 
 void show_types(const Options& options, const MapRaster& map, Terrain& terrain) {
     Field<Rgb8>& picture = terrain.pictures["types"] =
         Field<Rgb8>(map.types.width(), map.types.height());
-    std::vector<Field<float>*> masks(options.library.types.size());
+    const std::vector<std::string> names = mask_names(options.library.types);
+    std::vector<Field<float>*> masks(names.size());
     for (std::size_t i = 0; i < map.types.size(); ++i) {
         const std::size_t type = map.types[i];
         const TypeOptions& of = options.library.types[type];
         picture[i] = {of.colour[0], of.colour[1], of.colour[2]};
         if (!masks[type])
-            masks[type] = &(terrain.masks["type-" + file_safe(of.name)] =
+            masks[type] = &(terrain.masks[names[type]] =
                                 Field<float>(map.types.width(), map.types.height()));
         (*masks[type])[i] = 1.0f;
     }

@@ -8,7 +8,7 @@
 
 #include "field/error.h"
 #include "field/sun_path.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace cydonia {
 namespace {
@@ -26,7 +26,7 @@ render::CameraOptions camera() { return render::default_cameras().front(); }
 
 FramesSpec at_lucerne(const Date& date) {
     FramesSpec frames;
-    frames.place = Place{radians(47.05), radians(8.3)};
+    frames.place = GeographicPosition{radians(47.05), radians(8.3)};
     frames.date = date;
     frames.time_zone = 2.0;
     return frames;

@@ -9,7 +9,7 @@
 
 #include "app/sequence/timeline.h"
 #include "field/error.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace cydonia {
 namespace {

@@ -69,14 +69,26 @@ bool config_may_include(const std::string& included) {
 
 constexpr const char* kEmbree = "render/embree/embree.h";
 
+// What a shot is made of does not know who draws it, and the text of a .pov knows neither
+// the other renderers nor the processes that run.
+bool render_may_include(const std::string& file, const std::string& included) {
+    static const std::vector<std::string> kDrawers = {"render/pov/", "render/embree/",
+                                                      "render/passes/", "render/gltf/",
+                                                      "render/frames/"};
+    if (!starts_with_any(included, {"field/", "render/"})) return false;
+    if (file.starts_with("render/scene/")) return !starts_with_any(included, kDrawers);
+    if (file.starts_with("render/pov/"))
+        return included.starts_with("render/pov/") ||
+               !starts_with_any(included, kDrawers);
+    return true;
+}
+
 bool may_include(const std::string& file, const std::string& included) {
     if (file.starts_with("field/")) return included.starts_with("field/");
     if (file.starts_with("synth/")) return synth_may_include(file, included);
     // Embree's types stay out of headers.
     if (included == kEmbree && !file.ends_with(".cpp")) return false;
-    if (file.starts_with("render/")) {
-        return starts_with_any(included, {"field/", "render/"});
-    }
+    if (file.starts_with("render/")) return render_may_include(file, included);
     if (file.starts_with("config/")) return config_may_include(included);
     return file.starts_with("app/");
 }
@@ -86,6 +98,8 @@ bool may_use_library(const std::string& file, const std::string& header) {
     if (header.starts_with("embree")) return file == kEmbree;
     if (header.starts_with("toml++")) return file.starts_with("config/");
     if (header.starts_with("CLI/")) return file.starts_with("app/");
+    if (header == "sys/wait.h" || header == "spawn.h")  // whoever starts a process
+        return file.starts_with("render/frames/") || file.starts_with("app/");
     return true;
 }
 
@@ -163,6 +177,22 @@ TEST(Layering, ReaderSeesOptionsOnly) {
     EXPECT_TRUE(may_include("config/reader/a.cpp", "synth/distance/options.h"));
     EXPECT_FALSE(may_include("config/reader/a.cpp", "render/pov/scene.h"));
     EXPECT_FALSE(may_include("config/reader/a.cpp", "app/cache.h"));
+}
+
+TEST(Layering, AShotDoesNotKnowWhoDrawsIt) {
+    for (const char* drawer : {"render/pov/scene.h", "render/embree/diagram.h",
+                               "render/passes/view.h", "render/gltf/scene.h"})
+        EXPECT_FALSE(may_include("render/scene/shot.h", drawer)) << drawer;
+    EXPECT_TRUE(may_include("render/scene/shot.cpp", "render/sky/haze.h"));
+    EXPECT_TRUE(may_include("render/passes/view.cpp", "render/scene/shot.h"));
+}
+
+TEST(Layering, ThePovIsTextAndStartsNoProcess) {
+    EXPECT_FALSE(may_include("render/pov/files.cpp", "render/frames/povray.h"));
+    EXPECT_FALSE(may_include("render/pov/files.cpp", "render/passes/view.h"));
+    EXPECT_TRUE(may_include("render/pov/files.cpp", "render/pov/scene.h"));
+    EXPECT_FALSE(may_use_library("render/pov/files.cpp", "sys/wait.h"));
+    EXPECT_TRUE(may_use_library("render/frames/child.cpp", "sys/wait.h"));
 }
 
 TEST(Layering, LibrariesStayInTheirFolder) {

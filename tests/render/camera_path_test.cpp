@@ -1,4 +1,4 @@
-#include "render/camera_path.h"
+#include "render/cameras/path.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "field/error.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 namespace cydonia::render {
 namespace {
@@ -168,7 +168,8 @@ TEST_F(Path, KeysOutOfOrderAreRefused) {
 TEST_F(Path, WhereItMeetsItsTargetIsRefused) {
     camera.keys = {key(0, {300, 400, 50}), key(48, {300, 600, 50})};
     for (CameraKey& k : camera.keys) k.target[2] = metres(50.0);
-    EXPECT_NE(refusal().find("is where it looks to at frame 24"), std::string::npos)
+    EXPECT_NE(refusal().find("eye and target are the same point at frame 24"),
+              std::string::npos)
         << refusal();
 }
 

@@ -1,4 +1,4 @@
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 #include <gtest/gtest.h>
 
@@ -305,7 +305,7 @@ TEST(Lens, FocusIsADistanceAlongTheViewOrAPoint) {
     EXPECT_NEAR(place(o, t, Quality::kDraft).focus_distance, 30.0, 1e-9);
     o.focus = {metres(60.0), metres(100.0), metres(0.0)};
     const std::string text = refusal(o, t);
-    EXPECT_NE(text.find("is to be sharp 40 m behind itself: move its focus"),
+    EXPECT_NE(text.find("is focused 40 m behind itself: move its focus"),
               std::string::npos)
         << text;
 }

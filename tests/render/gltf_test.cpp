@@ -13,7 +13,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/gltf/glb.h"
 #include "render/gltf/scene.h"
 #include "render/gltf/surface.h"

@@ -10,7 +10,7 @@
 
 #include "field/error.h"
 #include "field/files.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 #include "render/frames/povray.h"
 #include "render/pov/pieces.h"
 #include "render/shadow/caster.h"
@@ -152,10 +152,10 @@ void expect_aligned(const Camera& camera) {
             if (!seen) continue;
             // Where POV-Ray's point is in our frame.
             const double east = frame(x, y)[0] * kWidth, north = frame(x, y)[1] * kWidth;
-            const auto at = rays.place_of({east, north, ground_at(terrain, east, north)});
+            const auto at = rays.project({east, north, ground_at(terrain, east, north)});
             if (std::abs(points(x, y).at[0] - east) > 3 * kSpacing) continue;  // a crest
             worst = std::max(worst, std::hypot(at.x - x - 0.5, at.y - y - 0.5));
-            EXPECT_NEAR(points(x, y).depth, at.z, 0.01 * at.z);
+            EXPECT_NEAR(points(x, y).depth, at.depth, 0.01 * at.depth);
             ++inner;
         }
     EXPECT_GT(edge, 100);
@@ -175,10 +175,10 @@ TEST(Passes, RaysAndPlacesAreInverse) {
     for (const Camera& camera : {perspective(), tilted(), overhead()}) {
         const CameraRays rays(camera);
         const Ray ray = rays.through(12.25, 70.5);
-        const auto at = rays.place_of(ray.from + 777.0 * ray.direction);
+        const auto at = rays.project(ray.from + 777.0 * ray.direction);
         EXPECT_NEAR(at.x, 12.25, 1e-9);
         EXPECT_NEAR(at.y, 70.5, 1e-9);
-        EXPECT_NEAR(at.z, 777.0 * dot(ray.direction, rays.forward()), 1e-9);
+        EXPECT_NEAR(at.depth, 777.0 * dot(ray.direction, rays.forward()), 1e-9);
     }
 }
 
@@ -297,7 +297,7 @@ TEST(Passes, MotionIsWhereThePointGoes) {
                 EXPECT_EQ(motion.values[i], 0.0f);
                 continue;
             }
-            const auto at = then.place_of(vec(p.at));
+            const auto at = then.project(vec(p.at));
             EXPECT_NEAR(x + 0.5 + motion.values[i], at.x, 0.01 + 1e-3 * std::abs(at.x));
             moved += motion.values[i] < -0.5f;
         }
@@ -313,8 +313,8 @@ TEST(Passes, FileHasTheNamesCompositorsExpect) {
     PassMaps maps{Field<std::uint8_t>(kSide, kSide, 2),
                   Field<std::uint8_t>(kSide, kSide, 3),
                   Field<float>(kSide, kSide, 0.75f)};
-    const auto layers = passes(view, points, sun_at(300.0, 20.0), maps,
-                               {std::begin(kAllPasses), std::end(kAllPasses)});
+    const auto layers =
+        passes(view, points, sun_at(300.0, 20.0), maps, values_in(kPasses));
     const Field<Rgb> beauty(camera.width, camera.height, Rgb{0.25f, 0.5f, -0.125f});
     write_passes(folder / "a.exr", beauty, layers, camera.width, camera.height, {});
 

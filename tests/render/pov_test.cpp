@@ -7,14 +7,17 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "field/error.h"
 #include "field/files.h"
 #include "field/image.h"
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 #include "render/frames/povray.h"
 #include "render/pov/scene.h"
+#include "render/scene/files.h"
 #include "tests/field/temporary_folder.h"
 #include "tests/render/no_povray.h"
 
@@ -204,9 +207,43 @@ TEST(PovScene, NamesEveryFileThatItNeeds) {
     }
 }
 
+// A file is one shot's or the land's, whatever the cameras are called.
+TEST(PovScene, NoTwoShotsWriteOneFile) {
+    std::vector<std::string> files;
+    for (const std::string camera :
+         {"a", "sky_a", "a_sky", "clouds_a", "things_a", "land-a", "materials", "heights",
+          "ground", "sky_visibility", "water", "a-s001", "a_s001", "s001", "part"})
+        for (const std::string& shot :
+             {camera, moment_name(camera, 1), moment_name(camera, 12),
+              moment_name(camera, 1000)})
+            for (const ShotFile file : values_in(kShotFiles)) {
+                EXPECT_TRUE(is_shot_name(shot)) << shot;
+                files.push_back(file_of(shot, file));
+            }
+    const Terrain land = wet_hill();
+    const TemporaryFolder folder;
+    std::ranges::copy(
+        write_pov_assets(folder.path(), land, land_maps(land, {}, Quality::kDraft)),
+        std::back_inserter(files));
+    std::ranges::sort(files);
+    const auto twice = std::ranges::adjacent_find(files);
+    EXPECT_EQ(twice, files.end()) << (twice == files.end() ? "" : *twice);
+
+    // And a shot writes no others.
+    Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
+    shot.name = moment_name("sky_a", 1);
+    shot.options.sky.clouds = Clouds::kBroken;
+    shot.options.things.push_back({.density = 0.2});
+    const auto written = write_pov_scene(folder.path(), shot, land);
+    EXPECT_EQ(written.size(), 5u);
+    for (const std::string& name : written)
+        EXPECT_TRUE(std::ranges::binary_search(files, name)) << name;
+}
+
 TEST(PovScene, NamesThatAreNotNames) {
     Shot shot = shot_of(Kind::kOblique, Quality::kDraft);
-    for (const char* name : {"", "a b", "../up", "a\"", "a\nb", "a;b"}) {
+    for (const char* name : {"", "a b", "../up", "a\"", "a\nb", "a;b", "a.b", "a.s",
+                             ".s1", "a.s1.s2", "a.sky"}) {
         shot.name = name;
         EXPECT_THROW(text_of(shot), Error) << name;
     }
@@ -218,7 +255,8 @@ class PovFolder : public testing::Test {
         if (const auto missing = no_povray()) GTEST_SKIP() << *missing;
     }
     void write(const Shot& shot, const Terrain& terrain) {
-        write_pov_assets(folder_.path(), terrain, shot.options.ground, shot.quality);
+        write_pov_assets(folder_.path(), terrain,
+                         land_maps(terrain, shot.options.ground, shot.quality));
         write_pov_scene(folder_.path(), shot, terrain);
     }
     Field<Rgb> render(const Shot& shot, int threads = 2) {
@@ -247,7 +285,8 @@ double mean(const Field<Rgb>& frame) {
 }
 
 TEST_F(PovFolder, EveryKindAndQualityRendersWithoutAWarning) {
-    write_pov_assets(folder_.path(), hill(), GroundOptions(), Quality::kFinal);
+    write_pov_assets(folder_.path(), hill(),
+                     land_maps(hill(), GroundOptions(), Quality::kFinal));
     for (const Kind kind : {Kind::kOverhead, Kind::kOblique, Kind::kOrbit, Kind::kLookAt})
         for (const Quality quality :
              {Quality::kDraft, Quality::kPreview, Quality::kFinal}) {

@@ -1,4 +1,4 @@
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 #include <gtest/gtest.h>
 

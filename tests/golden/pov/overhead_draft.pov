@@ -4,7 +4,7 @@
 //
 //     povray shot.ini
 //
-// It needs heights.png, ground.png, sky_visibility.png and sky_shot.exr beside it, and
+// It needs heights.png, ground.png, sky_visibility.png and shot.sky.exr beside it, and
 // draws shot.exr: linear light, Rec.709 primaries, no exposure.
 
 #version 3.7;
@@ -64,7 +64,7 @@ light_source {
 // The whole sky around the land, the sun's disc left out.
 sky_sphere {
     pigment {
-        image_map { exr "sky_shot.exr" map_type 1 interpolate 2 }
+        image_map { exr "shot.sky.exr" map_type 1 interpolate 2 }
     }
 }
 

@@ -1,4 +1,4 @@
-#include "render/cameras.h"
+#include "render/cameras/cameras.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,15 @@
 
 #include "field/error.h"
 #include "field/svg_camera.h"
-#include "render/camera_checks.h"
-#include "render/camera_path.h"
-#include "render/camera_view.h"
+#include "render/cameras/checks.h"
+#include "render/cameras/path.h"
+#include "render/cameras/view.h"
 
 namespace cydonia::render {
 namespace {
 
 constexpr int kSmallest = 16;         // pixels
-constexpr double kSkyMargin = 0.22;   // of the frame's height, over the skyline
+constexpr double kSkyMargin = 0.22;   // sky above the skyline, over the frame's height
 const double kSteep = radians(60.0);  // an oblique view from above this has no skyline
 
 int scaled(int pixels, Quality quality) {
@@ -23,7 +23,7 @@ int scaled(int pixels, Quality quality) {
     return std::max(kSmallest, (pixels * thirds + 1) / 3);
 }
 
-// Half of the frame's height as an angle.
+// Half of the vertical field of view.
 double half_height(const Camera& c) {
     return std::atan(std::tan(0.5 * c.field_of_view) / aspect(c));
 }
@@ -38,7 +38,7 @@ Vec3 centre(const Terrain& t) {
     return {0.5 * t.width(), 0.5 * t.depth(), mean_height(t)};
 }
 
-// Straight up or down there is no "up" left: north takes its place.
+// A camera that looks straight up or down has north at the top of its frame.
 void level(Camera& c) {
     const Vec3 d = normalized(c.target - c.eye);
     if (std::hypot(d.x, d.y) < 1e-6) c.up = {0.0, 1.0, 0.0};
@@ -50,12 +50,13 @@ Camera overhead(Camera c, const Terrain& t) {
     c.target = {0.5 * t.width(), 0.5 * t.depth(), lowest};
     c.eye = {c.target.x, c.target.y, highest + std::max(t.width(), t.depth())};
     c.up = {0.0, 1.0, 0.0};
-    // The mesh, which ends at the outer cells' centres: no rim of what lies around it.
+    // The frame ends with the mesh, at the centres of the outer cells, so that nothing
+    // around it shows.
     c.frame_width = std::max(t.width() - t.spacing, (t.depth() - t.spacing) * aspect(c));
     return c;
 }
 
-// Around the centre, `distance` away.
+// A camera at `distance` from the centre of the land, looking at it.
 Camera around(Camera c, const CameraOptions& o, const Terrain& t, double distance) {
     c.target = centre(t);
     c.eye = c.target + distance * direction_to({o.azimuth, o.elevation});
@@ -63,8 +64,8 @@ Camera around(Camera c, const CameraOptions& o, const Terrain& t, double distanc
     return c;
 }
 
-// Whether the far half of the land's outline is between the frame's sides. The near half
-// is cut by them, so that the land fills the frame.
+// Whether the far half of the land's outline lies between the frame's sides. The sides
+// cut the near half, so that the land fills the frame.
 bool far_side_fits(const Camera& c, const Terrain& t) {
     const Vec3 middle = centre(t);
     const double half_depth = seen(c, middle).z;
@@ -78,7 +79,7 @@ bool far_side_fits(const Camera& c, const Terrain& t) {
     return true;
 }
 
-// Turned until the highest skyline stands kSkyMargin below the frame's top.
+// Tilts the camera until the highest skyline is kSkyMargin below the frame's top.
 void aim(Camera& c, const Terrain& t) {
     const CameraAxes axes(c);
     const double side = std::tan(0.5 * c.field_of_view);
@@ -96,7 +97,7 @@ void aim(Camera& c, const Terrain& t) {
     c.target = c.eye + ahead + Vec3{0.0, 0.0, -length(ahead) * std::tan(down)};
 }
 
-// Whether the border of the near half of the land is in the frame.
+// Whether the near border of the land is in the frame.
 bool near_edge_shows(const Camera& c, const Terrain& t) {
     const CameraAxes axes(c);
     const double half_depth = axes(centre(t)).z;
@@ -112,7 +113,7 @@ bool near_edge_shows(const Camera& c, const Terrain& t) {
     return false;
 }
 
-// The largest distance below `too_far` that pleases.
+// The largest distance below `too_far` at which `pleases` holds.
 template <class Pleases>
 double farthest(double too_far, const Pleases& pleases) {
     double near = 0.0;
@@ -123,8 +124,8 @@ double farthest(double too_far, const Pleases& pleases) {
     return near;
 }
 
-// From as far as the far side of the land still fills the frame and the near edge stays
-// out of it.
+// The largest distance at which the far side of the land still fills the frame and the
+// near edge stays out of it.
 Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
     // The land's diagonal is longer than any side seen, so the answer lies below.
     const double too_far =
@@ -141,8 +142,7 @@ Camera oblique(const Camera& c, const CameraOptions& o, const Terrain& t) {
         farthest(whole, [&](double d) { return !near_edge_shows(aimed(d), t); }));
 }
 
-// Whether the circle around the land is in the frame: from whichever side it is seen, so
-// is the land.
+// Whether the circle around the land is in the frame; then the land is, from every side.
 bool circle_fits(const Camera& c, const Terrain& t) {
     constexpr int kPoints = 32;
     const double radius = 0.5 * std::hypot(t.width(), t.depth());
@@ -172,7 +172,7 @@ Camera look_at(Camera c, const CameraOptions& o, const Terrain& t) {
     return c;
 }
 
-// As a person stands, and looks at what is there in that direction.
+// A camera at eye height on the ground, looking in a direction or at a target.
 Camera stand(Camera c, const CameraOptions& o, const Terrain& t) {
     c.eye = above_ground({o.position[0], o.position[1], o.eye_height}, t);
     const Vec3 ahead = direction_to({o.heading, o.pitch});
@@ -206,7 +206,8 @@ Camera on_path(Camera c, const CameraOptions& o, const Terrain& t) {
     return c;
 }
 
-// As one piece with what it sees, so that nothing but the land seems to turn.
+// Turns the camera together with its target about the land, so that the land seems to
+// turn.
 void turn(Camera& c, const CameraOptions& o, const Terrain& t) {
     if (o.turn == 0.0) return;
     const Vec3 pivot = o.kind == CameraOptions::Kind::kLookAt ? c.target : centre(t);

@@ -1,10 +1,10 @@
-#include "render/camera_checks.h"
+#include "render/cameras/checks.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "field/error.h"
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 
 namespace cydonia::render {
 namespace {
@@ -108,8 +108,8 @@ void check_path(const CameraOptions& o, const TimedCurve& eye, const TimedCurve&
                 o.name, -above, frame, keys_around(o, frame));
         if (length(target(frame) - at) < 1e-6 * surface.spacing)
             throw bad_request(
-                "camera '{}' is where it looks to at frame {:g}: move the eyes or the "
-                "targets of {} apart",
+                "camera '{}': eye and target are the same point at frame {:g}: move the "
+                "eyes or the targets of {} apart",
                 o.name, frame, keys_around(o, frame));
     }
 }
@@ -146,8 +146,9 @@ void check_view(const Camera& c, const CameraOptions& o, const Terrain& surface)
 void check_focus(const Camera& c, const CameraOptions& o) {
     if (c.aperture <= 0.0 || c.focus_distance > 0.0) return;
     throw bad_request(
-        "camera '{}' is to be sharp {:.3g} m behind itself: move its focus to where it "
-        "looks",
+        "camera '{}' is focused {:.3g} m behind itself: move its focus to a point in "
+        "front "
+        "of it",
         o.name, -c.focus_distance);
 }
 

@@ -5,20 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "field/enum_names.h"
 #include "field/length.h"
 #include "field/source.h"
 #include "field/sun.h"
 
 namespace cydonia::render {
 
-// Where a camera on a path is at a frame. Heights are above the ground below the points.
+// The position of a camera on a path at one frame. Heights are above the ground below the
+// points.
 struct CameraKey {
     double frame = 0.0;
     std::array<Length, 3> eye{};     // x east, y north, z above the ground there
     std::array<Length, 3> target{};  // x east, y north, z above the ground there
 };
 
-// A camera as a scene describes it; placed over a terrain by render/cameras.h.
+// A camera as a scene describes it; placed over a terrain by render/cameras/cameras.h.
 struct CameraOptions {
     enum class Kind {
         kOverhead,  // orthographic, straight down, north up, the whole extent
@@ -27,7 +29,7 @@ struct CameraOptions {
         kLookAt,    // `eye` and `target` given
         kStand,     // on the ground at `position`, as a person stands there
         kPath,      // through `keys`
-        kDrawing,   // where the camera of a drawing over its frame stood
+        kDrawing,   // as the camera whose frame was drawn over
     };
     std::string name;  // file-name-safe, unique in a scene
     Kind kind = Kind::kOblique;
@@ -37,17 +39,17 @@ struct CameraOptions {
     std::array<Length, 3> eye{};     // x east, y north, z above the ground there
     std::array<Length, 3> target{};  // x east, y north, z above the ground there
 
-    std::array<Length, 2> position{};  // of one who stands: x east, y north
-    Length eye_height = metres(1.8);   // of one who stands: above the ground there
-    double heading = 0.0;              // where one who stands looks to, unless at
+    std::array<Length, 2> position{};  // kStand: x east, y north
+    Length eye_height = metres(1.8);   // kStand: above the ground there
+    double heading = 0.0;              // kStand: the viewing direction unless there is a
     double pitch = 0.0;                // `target`: from north, and upwards; radians
     bool looks_at_target = false;
 
     std::optional<Source> drawing;  // field/svg_camera.h
-    std::vector<CameraKey> keys;    // of a path: at least two, frames rising
+    std::vector<CameraKey> keys;    // kPath: at least two, in order of frames
     bool eased = true;              // a path starts from rest and comes to rest
 
-    // What a sequence changes from frame to frame.
+    // A sequence sets these for each frame.
     double frame = 0.0;  // where on its path the camera is
     double turn = 0.0;   // around the land, or what it looks at; clockwise; radians
 
@@ -56,7 +58,7 @@ struct CameraOptions {
     std::optional<double> focal_length;    // millimetres
     double sensor_width = 36.0;            // millimetres
     std::optional<double> f_stop;  // focal length over opening; default: all sharp
-    std::optional<Length> focus_distance;  // along the view; default: to what it looks at
+    std::optional<Length> focus_distance;        // along the view; default: to the target
     std::optional<std::array<Length, 3>> focus;  // a point as `target` is, instead
 
     double shutter_angle = radians(180.0);  // open for this share of a frame's time
@@ -67,5 +69,15 @@ struct CameraOptions {
                             1080};  // pixels at final quality; draft a third, preview two
     std::optional<Sun> sun;         // default: the scene's
 };
+
+inline constexpr Name<CameraOptions::Kind> kCameraKinds[] = {
+    {"overhead", CameraOptions::Kind::kOverhead},
+    {"oblique", CameraOptions::Kind::kOblique},
+    {"orbit", CameraOptions::Kind::kOrbit},
+    {"look_at", CameraOptions::Kind::kLookAt},
+    {"stand", CameraOptions::Kind::kStand},
+    {"path", CameraOptions::Kind::kPath},
+    {"drawing", CameraOptions::Kind::kDrawing}};
+static_assert(is_complete(kCameraKinds, CameraOptions::Kind::kDrawing));
 
 }  // namespace cydonia::render

@@ -1,4 +1,4 @@
-#include "render/camera_view.h"
+#include "render/cameras/view.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 namespace cydonia::render {
 namespace {
 
-// The part of a ray that may meet the land, as distances along it.
+// The part of a ray that may hit the land, as distances along it.
 struct Span {
     double from = 0.0, to = std::numeric_limits<double>::infinity();
 
@@ -55,7 +55,7 @@ double ground_at(const Terrain& t, double east, double north) {
     const int i = std::min(static_cast<int>(x), std::max(0, h.width() - 2));
     const int j = std::min(static_cast<int>(y), std::max(0, h.height() - 2));
     const int i1 = std::min(i + 1, h.width() - 1), j1 = std::min(j + 1, h.height() - 1);
-    // Split from north-west to south-east, as it is drawn.
+    // Squares are split from north-west to south-east, as they are drawn.
     const double u = x - i, v = y - j, nw = h(i, j), se = h(i1, j1);
     return u > v ? nw + u * (h(i1, j) - nw) + v * (se - h(i1, j))
                  : nw + v * (h(i, j1) - nw) + u * (se - h(i, j1));
@@ -75,7 +75,8 @@ bool meets_sea(const Terrain& t) {
     return wet;
 }
 
-// Whether more of the border is under the flood than above it: an island, not a lake.
+// Whether more of the border is under the flood than above it: then the land is an
+// island.
 bool is_surrounded(const Terrain& t, const std::optional<WaterOptions>& flood) {
     if (!flood) return false;
     const double level = flood->level.in(t.width());
@@ -107,7 +108,7 @@ double pixel_size(const Camera& c) {
 bool is_smooth(const Camera& c, const Terrain& terrain) {
     constexpr double kSmall = 4.0;  // pixels
     if (c.projection == Camera::Projection::kOrthographic) return false;
-    // The nearest ground in most frames is a few times as far as the eye is high.
+    // In most frames the nearest ground is a few times as far away as the eye is high.
     const double high = c.eye.z - ground_at(terrain, c.eye.x, c.eye.y);
     const double nearest = std::min(length(c.target - c.eye), 3.0 * std::max(high, 0.0));
     return terrain.spacing > kSmall * pixel_side(c) * nearest;

@@ -2,28 +2,27 @@
 
 #include "field/camera.h"
 #include "field/terrain.h"
-#include "render/camera_options.h"
-#include "render/camera_path.h"
+#include "render/cameras/options.h"
+#include "render/cameras/path.h"
 
-// What a camera may not do. Each throws bad_request, naming the camera and what to
-// change.
+// Checks of a camera. Each throws bad_request, naming the camera and what to change.
 namespace cydonia::render {
 
-// The keys of a path: at least two, frames rising.
+// A path has at least two keys, in order of frames.
 void check_keys(const CameraOptions& options);
-// That a path is over the ground, and looks somewhere, in every whole frame.
+// A path is above the ground, and its eye and target are apart, in every whole frame.
 void check_path(const CameraOptions& options, const TimedCurve& eye,
                 const TimedCurve& target, const Terrain& surface);
-// That eye and target are apart.
+// The eye and the target are apart.
 void check_axis(const Camera& camera, const CameraOptions& options,
                 const Terrain& surface);
-// That the eye is over the ground and over the water, which `surface` has and `land` not.
+// The eye is above the ground (`land`) and above the water (`surface` includes it).
 void check_eye(const Camera& camera, const CameraOptions& options, const Terrain& surface,
                const Terrain& land);
-// That there is land in the frame.
+// There is land in the frame.
 void check_view(const Camera& camera, const CameraOptions& options,
                 const Terrain& surface);
-// That what is to be sharp is ahead.
+// The focus is in front of the camera.
 void check_focus(const Camera& camera, const CameraOptions& options);
 
 }  // namespace cydonia::render

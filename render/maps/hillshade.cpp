@@ -1,4 +1,4 @@
-#include "render/preview.h"
+#include "render/maps/hillshade.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@ struct Slope {
     float east, north;  // rise per metre
 };
 
-// Horn 1981: central differences, the two next rows and columns at half weight; the edge
-// repeats.
+// The slope after Horn 1981: central differences, with the neighbouring rows and columns
+// at half weight. Heights at the edge repeat.
 Field<Slope> slopes(const Field<float>& heights, double spacing) {
     const int w = heights.width(), h = heights.height();
     Field<Slope> result(w, h);
@@ -40,7 +40,7 @@ Field<Slope> slopes(const Field<float>& heights, double spacing) {
     return result;
 }
 
-// What brings the slope that nine in ten samples stay below to 40 degrees.
+// The factor that brings the 90th percentile of the slope to 40 degrees.
 double exaggeration(const Field<Slope>& slopes) {
     std::vector<float> steepness(slopes.size());
     std::transform(slopes.begin(), slopes.end(), steepness.begin(),
@@ -80,7 +80,8 @@ constexpr std::array<std::array<double, 3>, 2> kWaterTints{
     {{128, 164, 180}, {38, 66, 98}}};
 
 struct Water {
-    Field<float> depth, share;  // metres; how much of a pixel is under water. Or empty
+    Field<float> depth, share;  // metres; the share of a pixel under water. Both empty
+                                // when there is no water
     float deepest = 0.0f;
     bool any() const { return deepest > 0.0f; }
 };
@@ -95,7 +96,7 @@ Water water_of(const Terrain& terrain, int longest) {
             *std::ranges::max_element(depths)};
 }
 
-// The bed stays to be guessed.
+// The colour of water, darker with depth, with a little of the relief of its bed.
 double water_tint(const Water& water, std::size_t i, double shade, int channel) {
     const double down = std::sqrt(water.depth[i] / water.deepest);
     const double colour = kWaterTints[0][channel] +
@@ -107,7 +108,7 @@ struct Range {
     double base, range;
 };
 
-// Of the dry land: it has the tints for itself.
+// The range of the dry land, over which the tints are spread.
 Range dry_range(const Field<float>& land, const Water& water) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (std::size_t i = 0; i < land.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "render/camera_path.h"
+#include "render/cameras/path.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,8 @@
 namespace cydonia::render {
 namespace {
 
-// Of a cubic over a step of `width` with values a, b and slopes p, q, at `t` of the way.
+// The cubic over a step of `width` with end values a, b and end slopes p, q, at the share
+// `t` of the step.
 template <class T>
 T hermite(const T& a, const T& p, const T& b, const T& q, double width, double t) {
     const double t2 = t * t, t3 = t2 * t;
@@ -17,14 +18,14 @@ T hermite(const T& a, const T& p, const T& b, const T& q, double width, double t
            (3 * t2 - 2 * t3) * b + (width * (t3 - t2)) * q;
 }
 
-// The step that `x` is in, as the index of its start; x lies within the values.
+// The index at which the step that contains `x` starts. x lies within the values.
 std::size_t step_of(const std::vector<double>& values, double x) {
     const auto after = std::upper_bound(values.begin() + 1, values.end() - 1, x);
     return static_cast<std::size_t>(after - values.begin()) - 1;
 }
 
-// Slopes of a rising sequence that stays rising between: a weighted harmonic mean of the
-// steps on both sides, level where one is.
+// Slopes that keep the cubics of a rising sequence rising: a weighted harmonic mean of
+// the slopes of the steps on both sides, zero where one of them is.
 std::vector<double> monotone_slopes(const std::vector<double>& x,
                                     const std::vector<double>& y, bool eased) {
     const auto step = [](const std::vector<double>& v, std::size_t i) {
@@ -45,7 +46,7 @@ std::vector<double> monotone_slopes(const std::vector<double>& x,
     return slopes;
 }
 
-// Catmull-Rom's for uneven knots; at the ends the curve does not bend.
+// Catmull-Rom tangents for uneven knots; the curve does not bend at its ends.
 std::vector<Vec3> tangents_of(const std::vector<double>& knots,
                               const std::vector<Vec3>& points) {
     const std::size_t n = points.size();
@@ -77,7 +78,7 @@ TimedCurve::TimedCurve(std::vector<double> times, const std::vector<Vec3>& point
     for (const Vec3& point : points) {
         const double apart = points_.empty() ? 1.0 : length(point - points_.back());
         if (apart > 1e-9) {
-            // Centripetal: knots stand roots of distances apart.
+            // Centripetal: the distance between knots is the square root of the length.
             knots_.push_back(points_.empty() ? 0.0 : knots_.back() + std::sqrt(apart));
             points_.push_back(point);
         }
