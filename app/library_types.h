@@ -16,15 +16,15 @@ struct TypeMap {
     std::vector<double> shares;  // of each type in the land
 };
 // `library` holds analyses of windows.
-TypeMap type_map(const genetic::Library& library, Studied land);
+TypeMap type_map(const statistics::Library& library, Studied land);
 
 // Shaded relief in the types' colours; water is dark blue, voids are black.
 void write_type_picture(const std::filesystem::path& file,
-                        const genetic::Library& library, const TypeMap& map);
+                        const statistics::Library& library, const TypeMap& map);
 
 // Prints each type's share and colour. If the land is mixed, also prints the windows that
 // hold a single type, as lines of a library's TOML file. Returns whether it is mixed.
-bool print_types(const genetic::Library& library, const TypeMap& map,
+bool print_types(const statistics::Library& library, const TypeMap& map,
                  const std::filesystem::path& land);
 
 }  // namespace cydonia

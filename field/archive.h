@@ -99,8 +99,8 @@ class ArchiveReader {
         expect(v <= limit);
         return v;
     }
-    // A view of `count` values within the archive. They are aligned as in memory when the
-    // archive is and align() was called before.
+    // A view of `count` values within the archive. Their alignment must be right for T:
+    // call align() on both sides, and keep the archive itself aligned.
     template <class T>
     std::span<const T> values(std::uint64_t count) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -184,10 +184,11 @@ std::string sealed(std::string_view kind, std::string body);
 // kind, cut short or damaged.
 std::optional<std::string_view> unsealed(std::string_view archive, std::string_view kind);
 
-// The same in a file. It is written to a temporary name and renamed; throws failure().
+// Writes the sealed archive to a temporary name and renames it. Throws failure().
 void write_archive(const std::filesystem::path& file, std::string_view kind,
                    std::string_view body);
-// Nothing also when the file is missing.
+// Reads the body of a sealed archive. Returns nothing when unsealed() would, or when the
+// file is missing.
 std::optional<std::string> read_archive(const std::filesystem::path& file,
                                         std::string_view kind);
 

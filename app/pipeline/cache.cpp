@@ -34,7 +34,7 @@ void write(const Terrain& terrain, ArchiveWriter& out) {
         out.value(image.sun);
         out.value(image.min_iou);
         out.field(image.window);
-        out.field(image.given_up);
+        out.field(image.relaxed);
     }
     out.field(terrain.water);
     count(terrain.figures);
@@ -65,7 +65,7 @@ Terrain read(ArchiveReader& in) {
         image.sun = in.value<Sun>();
         image.min_iou = in.value<double>();
         image.window = in.field<std::uint8_t>();
-        image.given_up = in.field<std::uint8_t>();
+        image.relaxed = in.field<std::uint8_t>();
         terrain.shadows.push_back(std::move(image));
     }
     terrain.water = in.field<float>();

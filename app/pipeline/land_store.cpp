@@ -186,9 +186,10 @@ Terrain LandStore::as_drawn(const Terrain& terrain) const {
 StageMemory LandStore::memory_of(int stage) const {
     const StageOptions& options =
         scene_->stages[static_cast<std::size_t>(stage - 1)].options;
-    const std::string method(method_of(options).name);
-    return follows_memory(options) ? StageMemory(cache_, stage, method, key(stage))
-                                   : StageMemory(cache_, stage, method);
+    const Method method = method_of(options);
+    const std::string name(method.name);
+    return method.follows_memory ? StageMemory(cache_, stage, name, key(stage))
+                                 : StageMemory(cache_, stage, name);
 }
 
 Field<float> LandStore::tile(int x, int y, int width, int height,
@@ -199,7 +200,10 @@ Field<float> LandStore::tile(int x, int y, int width, int height,
                 .progress = &progress,
                 .cache = cache_};
     };
-    return cydonia::tile(scene_->stage_options(), {width_, height_, spacing_}, context, x,
+    const std::vector<const StageOptions*> stages = scene_->stage_options();
+    return cydonia::tile(Stages(stages), {width_, height_, spacing_}, context, x, y,
+                         width, height);
+}, context, x,
                          y, width, height);
 }
 

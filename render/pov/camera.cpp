@@ -7,8 +7,8 @@
 namespace cydonia::render::pov {
 namespace {
 
-// POV-Ray scatters its eyes over less than half of its `aperture`; with this they spread
-// as over an even disc as wide as the lens. (Measured: lens_test.cpp.)
+// POV-Ray scatters rays over less than half of its `aperture`. With this factor they
+// spread as over a uniform disc as wide as the lens (measured in lens_test.cpp).
 constexpr double kApertureOfLens = 2.2;
 
 std::string orthographic(const Camera& c) {
@@ -30,8 +30,8 @@ camera {{
                        numbers(right), numbers(up));
 }
 
-// Rays over the lens, in POV-Ray's own patterns. With no variance allowed it takes all of
-// them for every pixel, in places that hang on the pixel only: equal for any threads.
+// Depth of field. With variance 0 POV-Ray takes all rays for every pixel, at positions
+// that depend on the pixel only, so that frames are equal for any number of threads.
 std::string lens(const Camera& c, Quality quality) {
     if (c.aperture <= 0.0) return "";
     const int rays = quality == Quality::kDraft ? 19 : 37;

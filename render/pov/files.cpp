@@ -1,4 +1,4 @@
-// The folder of a .pov: flat, as POV-Ray's file security wants it.
+// Writes the folder of a .pov. It is flat because POV-Ray's file security demands it.
 #include <fmt/core.h>
 #include <tbb/parallel_invoke.h>
 
@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 
 constexpr int kDomeHeight = 256;
 constexpr int kShade = 2048;  // pixels a side
-constexpr int kPacked = 1;    // POV-Ray reads it once
+constexpr int kPacked = 1;    // compression level: each file is read once
 
-// Of linear light in 65536 steps, the finest a twentieth of a level.
+// The sRGB level of linear light in 65536 steps, the finest a twentieth of a level.
 const std::vector<std::uint8_t>& srgb_levels() {
     static const std::vector<std::uint8_t> levels = [] {
         std::vector<std::uint8_t> result(65536);
@@ -88,7 +88,7 @@ Pause_When_Done=Off
                        shot.camera.height, antialiasing(shot.quality));
 }
 
-// POV-Ray's fog lies over the sky too.
+// The sky's image. POV-Ray's fog lies over the sky too, so the fog is taken out of it.
 Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
     Field<Rgb> dome = sky_dome(shot.sun, shot.options.sky, kDomeHeight);
     if (!has_haze(shot)) return dome;
@@ -98,8 +98,8 @@ Field<Rgb> dome_of(const Shot& shot, const Terrain& terrain) {
                        eye);
 }
 
-// Above all land, as wide as what is near it, and as far toward the sun as its shadows
-// reach.
+// The sheet that casts the shadows of clouds: above all land, as wide as its
+// surroundings, and moved toward the sun so that its shadow falls on the land.
 std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terrain) {
     if (!throw_shadows(shot.options.sky, shot.sun, !terrain.shadows.empty()))
         return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<pov::CloudShade> cloud_shade(const Shot& shot, const Terrain& terr
 
 std::vector<std::string> write_pov_assets(const fs::path& folder, const Terrain& terrain,
                                           const LandMaps& maps) {
-    // Each in its own thread: packing is most of the work.
+    // One thread for each file, since compression is most of the work.
     tbb::parallel_invoke(
         [&] {
             write_png(folder / "heights.png", quantised(terrain.heights).levels, kPacked);

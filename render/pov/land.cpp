@@ -1,4 +1,4 @@
-// Land and its surroundings.
+// The land and its surroundings.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace cydonia::render::pov {
 namespace {
 
-// POV-Ray's tolerances are absolute: a unit of one metre gives black specks on land of
-// kilometres. A power of ten that makes the land 50 to 500 units wide.
+// The power of ten that makes the land 50 to 500 units wide. POV-Ray's tolerances are
+// absolute: with units of one metre land of kilometres gets black specks.
 double metres_a_unit(double size) {
     return std::pow(10.0, std::floor(std::log10(size / 50.0)));
 }
@@ -28,7 +28,7 @@ constexpr const char* kSidesAlone = R"(object { Sides }
 #declare Around = 0; // lands on each side of the land
 )";
 
-// Without shadows of their own: the land's must be those that were checked.
+// Copies cast no shadows: the land's shadows must be those that were checked.
 constexpr const char* kLandAround =
     R"(#declare Around = 2; // lands on each side of the land
 // The land again, mirrored at its borders so that none shows. Only the land itself throws
@@ -66,8 +66,8 @@ constexpr const char* kGroundUnderVisibility =
 };
 )";
 
-// Close up, bumps finer than the heights catch the light, the rock's more than the
-// grass's; those near a pixel's size would only flicker.
+// The amount of a material's bumps, which are finer than the heights. Bumps as small as a
+// pixel would flicker, so they fade out.
 double shown_bump(const Material& material, const Camera& camera) {
     if (camera.projection != Camera::Projection::kPerspective) return 0.0;
     const double pixels = material.bump_size / pixel_size(camera);
@@ -135,9 +135,9 @@ std::string land_numbers(const Heights16& heights, double spacing) {
         number(heights.range), number(metres_a_unit(std::max(width, depth))));
 }
 
-// POV-Ray's smooth normals (the surface stays) are stored in 16 bits over a grid as high
-// as 65535 and as wide as its samples: off by up to Spacing / Relief radians, too little
-// to show in perspective, where facets would.
+// POV-Ray computes smooth normals on its integer grid, with 65535 levels and one unit
+// from sample to sample, and stores them in 16 bits. They are off by up to Spacing /
+// Relief radians, which does not show in perspective, whereas facets would.
 std::string ground(const Shot& shot) {
     return fmt::format(
         R"(// The ground's colour covers the cells, draped from above.

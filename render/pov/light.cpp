@@ -1,4 +1,4 @@
-// Light, air and how they are traced.
+// Light, air and the settings for tracing them.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 namespace cydonia::render::pov {
 namespace {
 
-// Gathered from many directions at few places, smoothly joined: one bounce and the sky.
-// The numbers were found by eye on mountains; more cost minutes and show nothing.
+// Light from the sky and one bounce, gathered at few points from many directions and
+// interpolated. The numbers were chosen by eye on mountains; higher ones cost minutes and
+// show no difference.
 std::string radiosity(Quality quality) {
     if (!has_radiosity(quality)) return "";
     const bool final = quality == Quality::kFinal;
@@ -109,8 +110,8 @@ sky_sphere {{
                        file_of(shot.name, ShotFile::kSky));
 }
 
-// As many as the eye sees, brighter ones rarer: 0.51 of a power of ten a magnitude. A
-// pixel wide whatever the frame's size.
+// As many stars as the eye sees; their number grows by 10^0.51 a magnitude. Each is a
+// pixel wide in frames of any size.
 std::string stars(const Shot& shot) {
     return fmt::format(R"(// Stars, behind all land.
 #declare StarsAt = At({});
@@ -157,7 +158,7 @@ polygon {{
         numbers(shade.middle));
 }
 
-// One fog: POV-Ray adds up the colours of several, and the horizon would shine.
+// There is only one fog: POV-Ray adds the colours of several, and the horizon would glow.
 std::string haze() {
     return fmt::format(
         R"(// Haze lies low: three quarters of it are gone HazeHeight above the lowest ground. At the

@@ -8,20 +8,19 @@
 #include "render/scene/shot.h"
 #include "render/scene/water.h"
 
-// The .pov in pieces, each a block of text that says what it does. The pieces use the
-// names that land_numbers() and light_numbers() declare.
+// The pieces of a .pov, each a commented block of text. They use the names that
+// land_numbers() and light_numbers() declare.
 namespace cydonia::render::pov {
 
-// A line's worth of any bytes for a `//` comment: control bytes become spaces.
+// A text of any bytes for a `//` comment; control characters become spaces.
 std::string comment(std::string_view text);
-// A number as a person writes it: at most nine digits, no minus zero.
+// A number with at most nine digits; minus zero is zero.
 std::string number(double value);
 // "a, b, c".
 std::string numbers(const Vec3& v);
 std::string numbers(const Rgb& colour);
 
-// Whether light between the slopes is traced (radiosity) or taken from the visibility
-// map.
+// Whether indirect light is traced (radiosity) or taken from the sky visibility map.
 bool has_radiosity(Quality quality);
 
 std::string land_numbers(const Heights16& heights, double spacing);
@@ -33,7 +32,8 @@ std::string sky(const Shot& shot);
 std::string haze();
 bool has_stars(const Shot& shot);
 std::string stars(const Shot& shot);
-// A sheet that throws the clouds' shadows: metres from the middle of the lowest ground.
+// The sheet that casts the shadows of clouds: its middle relative to the middle of the
+// land at its lowest height, and its side, metres.
 struct CloudShade {
     std::string frame;
     Vec3 middle;
@@ -42,7 +42,7 @@ struct CloudShade {
 std::string cloud_shade(const CloudShade& shade);
 std::string ground(const Shot& shot);
 std::string outskirts(const Shot& shot, const Heights16& heights, bool under_sea);
-std::string flood(const Shot& shot);  // all that lies below one level
+std::string flood(const Shot& shot);  // the water of WaterOptions
 std::string water(const Shot& shot, const WaterSurface& surface);
 
 }  // namespace cydonia::render::pov

@@ -26,7 +26,7 @@ std::string numbers(const Vec3& v) {
     return fmt::format("{}, {}, {}", number(v.x), number(v.y), number(v.z));
 }
 
-// Four digits: as fine as a film grade, and the same wherever the light was worked out.
+// Four digits are as fine as a film grade, and equal on every processor.
 std::string numbers(const Rgb& colour) {
     return fmt::format("{:.4g}, {:.4g}, {:.4g}", colour[0], colour[1], colour[2]);
 }
@@ -56,7 +56,7 @@ std::string header(const Shot& shot, bool has_water,
                        file_of(shot.name, ShotFile::kFrame));
 }
 
-// The name stands in file names and in quotes.
+// The name becomes part of file names and of quoted strings.
 void check_name(const std::string& name) {
     if (!is_shot_name(name))
         throw bad_request("a camera's name is 1 to 64 of A-Z a-z 0-9 _ -, not '{}'",

@@ -13,15 +13,15 @@
 
 namespace cydonia::render {
 
-// The .pov as text, commented, to run with plain `povray` in the folder of its assets.
-// Pure. `added`: files that what the caller appends to it needs.
+// The text of a .pov, with comments, to be run with plain `povray` in the folder of its
+// assets. `added` names further files that text appended by the caller needs.
 std::string pov_scene(const Shot& shot, const Heights16& heights, double spacing,
                       const std::optional<WaterSurface>& water = {},
                       const std::vector<std::string>& added = {});
 
-// Writes what all shots share (heights, water, ground, sky visibility) and, per shot, its
-// sky, <name>.pov and <name>.ini into `folder`, flat, as POV-Ray's file security wants
-// it. Gives the names of the files.
+// Write the files of a .pov into `folder` and return their names: write_pov_assets()
+// those that all shots share (heights, water, ground, sky visibility), write_pov_scene()
+// those of one shot (render/scene/files.h).
 std::vector<std::string> write_pov_assets(const std::filesystem::path& folder,
                                           const Terrain& terrain, const LandMaps& maps);
 std::vector<std::string> write_pov_scene(const std::filesystem::path& folder,

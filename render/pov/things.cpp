@@ -1,4 +1,4 @@
-// Things on the ground: a few originals and many copies, metres until the end.
+// Things on the ground: many copies of a few originals, in metres; the union is scaled.
 #include "render/pov/things.h"
 
 #include <fmt/core.h>
@@ -60,8 +60,8 @@ std::string original(ThingOptions::Kind kind, int number) {
 std::string things(const Shot& shot, const Terrain& terrain) {
     const std::vector<ThingOptions>& kinds = shot.options.things;
     if (kinds.empty()) return "";
-    // Light through leaves and between blades is not traced: half the sky's stands for
-    // it.
+    // Light through leaves and between blades is not traced; a share of the sky's light
+    // stands for it.
     std::string text = R"(// Things on the ground: x east, y up, z north, metres.
 #declare ThingFinish = finish { diffuse 0.9, 0.25 emission 0.25 * SkyLight * SkyFill }
 )";

@@ -7,8 +7,8 @@
 
 namespace cydonia::render::pov {
 
-// What `<shot>.things.inc` says: the originals, and their copies that the shot's camera
-// sees. Empty where the scene has no things.
+// The text of `<shot>.things.inc`: the originals, and the copies that the shot's camera
+// sees. Empty when it sees none.
 std::string things(const Shot& shot, const Terrain& terrain);
 
 }  // namespace cydonia::render::pov

@@ -5,7 +5,7 @@
 namespace cydonia::render::pov {
 namespace {
 
-// Waves of three lengths, without those that are too small to be seen.
+// Waves of three lengths, without those too small to be seen.
 std::string waves(const Camera& camera) {
     std::string lengths;
     constexpr struct {

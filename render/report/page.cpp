@@ -1,5 +1,5 @@
-// The page carries everything as text: pictures and heights in base64, in attributes that
-// the scripts read. Nothing of a scene is ever part of a script.
+// The page holds everything as text: pictures and heights are base64 in attributes that
+// the scripts read. No text of a scene ever becomes part of a script.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::string data_text(const char* name) {
     return read_text(data_file(fmt::format("report/{}", name)));
 }
 
-// What would end the element that holds it, inside a string or a comment of the script.
+// Escapes what would end the script element from inside a string or a comment.
 std::string for_script_element(std::string script) {
     for (const auto& [mark, harmless] :
          {std::pair<std::string, std::string>{"</script", "<\\/script"},
@@ -30,7 +30,7 @@ std::string for_script_element(std::string script) {
     return script;
 }
 
-// A path as a link takes it.
+// A path, escaped for a link.
 std::string link_to(std::string_view file) {
     std::string link;
     for (const char c : file) {
@@ -53,7 +53,7 @@ std::string angle_text(double radians_) {
     return fmt::format("{:.4g}", std::round(degrees(radians_) * 1e6) / 1e6);
 }
 
-// 16 bits a sample, low byte first, in 65535ths of the relief.
+// Heights in 65535ths of the relief, 16 bits a sample, low byte first.
 std::string levels_of(const Field<float>& heights, float low, float high) {
     std::string bytes;
     bytes.reserve(2 * heights.size());
@@ -66,7 +66,7 @@ std::string levels_of(const Field<float>& heights, float low, float high) {
     return bytes;
 }
 
-// Eight samples a byte, the first in the lowest bit.
+// A mask with eight samples a byte, the first in the lowest bit.
 std::string bits_of(const Field<std::uint8_t>& field) {
     std::string bytes((field.size() + 7) / 8, '\0');
     for (std::size_t i = 0; i < field.size(); ++i)
@@ -125,7 +125,7 @@ Values values_of(const ReportImage& image) {
     return values;
 }
 
-// Each with its share of the longest, for a bar.
+// Rows with their share of the longest, for a bar.
 std::vector<Values> values_of(const std::vector<ReportStep>& steps, double longest) {
     std::vector<Values> values;
     for (const ReportStep& step : steps) {

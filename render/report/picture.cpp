@@ -10,7 +10,8 @@ namespace fs = std::filesystem;
 namespace cydonia::render {
 namespace {
 
-constexpr int kQuality = 84;  // of the JPEG: no blocks in a clear sky
+constexpr int kQuality =
+    84;  // JPEG quality: the lowest that shows no blocks in a clear sky
 
 Field<Rgb8> over_white(const Field<Rgba8>& picture) {
     Field<Rgb8> rgb(picture.width(), picture.height());

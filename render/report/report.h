@@ -10,7 +10,7 @@
 
 namespace cydonia::render {
 
-// A picture that the page carries, small, and the file beside the page that it is of.
+// A small picture in the page, and the file beside the page that it was made from.
 struct ReportPicture {
     std::string label;          // "overhead"
     std::string file;           // relative to the page: "frames/overhead.png"
@@ -21,7 +21,7 @@ struct ReportPicture {
 struct ReportVideo {
     std::string label;
     std::string file;  // relative to the page
-    std::string mp4;   // bytes that the page carries; empty: played from the file
+    std::string mp4;   // bytes within the page; when empty the file is played
     std::optional<ReportPicture> poster;
 };
 
@@ -33,13 +33,14 @@ struct ReportTable {
     std::vector<ReportRow> rows;
 };
 
-// An image that the land hides.
+// A shadow image that the land shows under one sun.
 struct ReportImage {
     std::string name;
     Sun sun;
     std::string verdict;  // one line: how well it reads
     bool passed = true;
-    // Of the land's shape: 1 where it is dark; 1 where it counts, empty: everywhere.
+    // Masks of the land's shape: 1 where the image is dark; 1 where it counts, or empty
+    // where it counts everywhere.
     Field<std::uint8_t> target, window;
     std::vector<ReportPicture> pictures;  // overlay, cast, target, sun clock
 };
@@ -50,10 +51,10 @@ struct ReportStep {
     std::string options;  // "key = value" lines; empty: none
 };
 
-// All that the page shows. What is empty is left out of it.
+// Everything that the page shows. Empty parts are left out.
 struct Report {
     std::string title;
-    std::vector<ReportRow> facts;  // the few that stand under the title
+    std::vector<ReportRow> facts;  // shown under the title
     std::vector<ReportPicture> frames;
     std::vector<ReportVideo> videos;
     std::vector<ReportImage> images;
@@ -63,27 +64,28 @@ struct Report {
     std::string scene;  // resolved, as text
     std::string version;
 
-    // The land to turn, at most kReportSamples a side; empty: none is shown.
+    // The land that can be turned, at most kReportSamples a side; empty to show none.
     Field<float> heights;       // metres
     Field<std::uint8_t> water;  // 1 where it is wet; empty: dry
     double spacing = 1.0;       // metres
-    Sun sun = {};               // the one that it is first seen under, but near it
-    std::string three;          // three.js; empty: the land is shown from above only
+    Sun sun = {};               // the sun at first
+    std::string
+        three;  // source of three.js; when empty the land is shown from above only
 };
 
 inline constexpr int kReportSamples = 512;
 
-// The page, whole: no file but itself is needed to read it, and nothing of it is fetched.
-// Its template, style and scripts are the data files report/*. Throws failure() where one
-// is missing.
+// The whole page, which needs no other file and fetches nothing. Its template, style and
+// scripts are the data files report/*. Throws failure() when one is missing.
 std::string report_page(const Report& report);
 
-// A file as the page carries it: no side longer than `most` pixels. Throws bad_request as
-// read_rgba does.
+// A picture for the page, made from a file and reduced to at most `most` pixels a side.
+// Throws bad_request as read_rgba does.
 ReportPicture report_picture(const std::filesystem::path& folder, const std::string& file,
                              const std::string& label, int most);
 
-// Debian's three.js (package libjs-three), minified; empty where it is not installed.
+// The source of Debian's three.js (package libjs-three), or nothing when it is not
+// installed.
 std::string three_js();
 
 }  // namespace cydonia::render

@@ -6,7 +6,7 @@
 namespace cydonia::render {
 namespace {
 
-using Scopes = std::vector<const Values*>;  // the innermost last
+using Scopes = std::vector<const Values*>;  // the innermost scope last
 
 std::string text_of(const std::string& name, const Scopes& scopes) {
     for (auto scope = scopes.rbegin(); scope != scopes.rend(); ++scope) {
@@ -24,7 +24,7 @@ const std::vector<Values>* list_of(const std::string& name, const Scopes& scopes
     return nullptr;
 }
 
-// Takes from the front of `text` all before `mark`, and the mark.
+// Removes and returns the text before `mark`, and removes the mark.
 std::string_view taken_until(std::string_view mark, std::string_view& text) {
     const std::size_t end = text.find(mark);
     if (end == text.npos) throw failure("a template's '{}' is missing", mark);
@@ -33,7 +33,7 @@ std::string_view taken_until(std::string_view mark, std::string_view& text) {
     return taken;
 }
 
-// Likewise all that a part holds, parts of its own name included.
+// Removes and returns the content of a part, which may hold parts of the same name.
 std::string_view part_until_closed(const std::string& name, std::string_view& text) {
     const std::string close = "{{/" + name + "}}";
     const std::string opens[] = {"{{#" + name + "}}", "{{^" + name + "}}"};

@@ -7,19 +7,20 @@
 
 namespace cydonia::render {
 
-// What a template is filled with: texts, and lists whose parts are repeated.
+// The values for a template: texts, and lists whose part is repeated for each item.
 struct Values {
     std::map<std::string, std::string> texts = {};
     std::map<std::string, std::vector<Values>> lists = {};
 };
 
-// A page's template with its holes filled, after Mustache (mustache.github.io):
+// Fills a template in the manner of Mustache (mustache.github.io):
 //   {{name}}               the text, escaped for HTML elements and quoted attributes
-//   {{{name}}}             the text as it is: for what is our own
-//   {{#name}}...{{/name}}  once for each of the list; once where a text is not empty
-//   {{^name}}...{{/name}}  once where there is neither
-// Names not found inside a list are looked for around it; unknown ones are empty. Throws
-// failure() where a template's parts do not close.
+//   {{{name}}}             the text unescaped, for text of our own
+//   {{#name}}...{{/name}}  once for each item of the list, or once if the text is not
+//   empty
+//   {{^name}}...{{/name}}  once if there is neither
+// A name that an item lacks is looked up in the scopes around it; an unknown name is
+// empty. Throws failure() when a part is not closed.
 std::string filled(std::string_view text, const Values& values);
 
 }  // namespace cydonia::render

@@ -7,19 +7,19 @@
 
 namespace cydonia::render {
 
-// The files that belong to one shot, beside those that all shots of a land share. Each is
-// the shot's name, a full stop and what the file holds. No full stop stands in a shot's
-// name, but the one before a moment's number, and no file of the land ends like these: so
-// no two shots, and no shot and its land, write the same file.
+// The files of one shot in the folder of a .pov. A file is named by the shot, a full stop
+// and one of the endings below. The name of a camera has no full stop, the name of a
+// moment only the one before its number, and no file that all shots share has one of the
+// endings. Therefore no two shots, and no shot and its land, write the same file.
 enum class ShotFile {
     kScene,            // for POV-Ray to draw
     kSettings,         // size and quality for POV-Ray
     kFrame,            // linear Rec.709
-    kSky,              // latitude and longitude
-    kCloudShadows,     // where clouds throw shadows
+    kSky,              // a latitude-longitude image
+    kCloudShadows,     // the map of the shadows of clouds
     kThings,           // the things on the ground
-    kUnfinishedFrame,  // while POV-Ray works
-    kUnfinishedState,  // POV-Ray's own, beside it
+    kUnfinishedFrame,  // kFrame while POV-Ray renders
+    kUnfinishedState,  // what POV-Ray keeps beside it
 };
 inline constexpr Name<ShotFile> kShotFiles[] = {
     {"pov", ShotFile::kScene},
@@ -35,10 +35,10 @@ static_assert(is_complete(kShotFiles, ShotFile::kUnfinishedState));
 
 std::string file_of(std::string_view shot, ShotFile file);
 
-// "oblique.s001": one of the moments, from 1, over which a shot is averaged.
+// The name of a moment over which a shot is averaged, counted from 1: "oblique.s001".
 std::string moment_name(std::string_view shot, int number);
 
-// 1 to 64 of A-Z a-z 0-9 _ -, and a moment's number where it is one.
+// Whether a name is 1 to 64 characters of A-Z a-z 0-9 _ -, or that of a moment.
 bool is_shot_name(std::string_view name);
 
 }  // namespace cydonia::render

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kLongestGround = 4096;  // pixels a side
 
-// Pixels a sample; a draft's frame is a third as large.
+// Pixels a sample. A draft needs fewer because its frame is a third as large.
 int ground_detail(const Field<float>& heights, Quality quality) {
     const int longest = std::max(heights.width(), heights.height());
     return std::clamp(kLongestGround / longest, 1, quality == Quality::kDraft ? 2 : 4);

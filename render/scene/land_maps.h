@@ -8,9 +8,9 @@
 
 namespace cydonia::render {
 
-// What is worked out of a land once, for all frames that show it. Each map covers the
-// whole land, row 0 in the north. The ground's two maps have several pixels a sample; the
-// albedo, which only the .pov takes, is by far the largest.
+// Maps that are computed once for a land and used by all frames that show it. Each covers
+// the whole land, row 0 in the north. The two maps of the ground have several pixels a
+// sample; the albedo, which only write_pov_assets() uses, is by far the largest.
 struct LandMaps {
     GroundMap ground;
     Field<float> sky_visibility;  // 0 to 1, rounded to the 16 bits that POV-Ray reads

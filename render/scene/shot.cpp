@@ -14,7 +14,7 @@ bool has_haze(const Shot& shot) {
 }
 
 Rgb haze_light(const Shot& shot) {
-    constexpr double kBeyond = 2.0;  // what is behind the subject
+    constexpr double kBeyond = 2.0;  // the haze reaches twice as far as the target
     const double kHorizon = radians(0.7);
     const Camera& camera = shot.camera;
     const Vec3 view = camera.target - camera.eye;

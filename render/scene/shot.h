@@ -10,10 +10,11 @@
 
 namespace cydonia::render {
 
-// One frame to be drawn: everything the .pov says, resolved.
+// Everything that one frame shows, with all defaults resolved.
 struct Shot {
-    std::string title;  // for the comment at the top; any bytes
-    std::string name;   // file-name-safe; the .pov and the frame are called after it
+    std::string title;  // for a comment in the .pov; any bytes
+    std::string
+        name;  // is_shot_name (render/scene/files.h); its files are named after it
     Camera camera;
     Sun sun;
     Options options;
@@ -22,9 +23,9 @@ struct Shot {
     bool smooth = false;  // is_smooth (render/cameras/view.h)
 };
 
-// Whether haze is drawn: a map has none, it would only veil.
+// Whether haze is drawn. A map from above has none, as it would only veil the land.
 bool has_haze(const Shot& shot);
-// What the haze sends back as far as the shot's camera looks, linear Rec.709.
+// The colour of the haze in the direction of the shot's camera, linear Rec.709.
 Rgb haze_light(const Shot& shot);
 
 }  // namespace cydonia::render

@@ -3,7 +3,7 @@
 namespace cydonia::render {
 namespace {
 
-// A copy takes about two kilobytes of POV-Ray.
+// A copy takes about two kilobytes of memory in POV-Ray.
 std::size_t most_copies(Quality quality) {
     switch (quality) {
         case Quality::kDraft:

@@ -8,7 +8,7 @@
 
 namespace cydonia::render {
 
-// The copies of each kind that a shot's frame is drawn with.
+// The copies that a shot shows, a list for each kind of thing of its scene.
 std::vector<std::vector<Thing>> things_of(const Shot& shot, const Terrain& terrain);
 
 }  // namespace cydonia::render

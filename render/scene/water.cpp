@@ -7,11 +7,10 @@
 namespace cydonia::render {
 namespace {
 
-// Of a cell, that water beside land lower than itself keeps under it.
+// How far water stays under lower land beside it, in cells.
 constexpr float kUnderLand = 0.02f;
 
-// The level of the water at a sample, of the highest beside it where it is dry itself, or
-// kDry.
+// The highest level of water at a sample and its eight neighbours, or kDry.
 float level_near(const Terrain& terrain, int x, int y) {
     float level = kDry;
     for (int j = y - 1; j <= y + 1; ++j) {
@@ -49,7 +48,8 @@ std::optional<double> sea_of(const Terrain& terrain) {
 std::optional<WaterSurface> water_surface(const Terrain& terrain) {
     if (terrain.water.empty()) return std::nullopt;
     const int width = terrain.heights.width(), height = terrain.heights.height();
-    // Where there is none, so low that what leads down to it stays under all land.
+    // The height where there is no water: low enough to keep the slopes down to it under
+    // all land.
     const float none =
         std::ranges::min(terrain.heights) - static_cast<float>(terrain.spacing);
     Field<float> surface(width, height);

@@ -14,24 +14,25 @@ namespace cydonia::render {
 
 namespace {
 
-constexpr int kMaxSide = 16384;  // Embree's grids end at 32767
+constexpr int kMaxSide = 16384;  // Embree's grids have at most 32767 a side
 constexpr std::size_t kMaxSamples = std::size_t{1} << 32;
 constexpr int kTile = 4;  // 4x4 neighbouring samples are one packet of rays
 
-// x east, y north, z up, in cells, from the middle of the land, where floats are densest.
+// Coordinates are cells east, north and up from the middle of the land, where floats are
+// most precise.
 using embree::Vertex;
 using embree::vertex;
 
-// Where a row or column of samples meets the mesh: in the square after sample `cell`,
-// `at` (0 to 1) of the way to the next.
+// The position of a row or column of samples on the mesh: in the square after sample
+// `cell`, at the share `at` (0 to 1) of the way to the next.
 struct Stop {
     int cell;
     float at;
 };
 
-// The stops of all sample rows or columns along an axis of `count` cells, in whole parts
-// of a cell, so that lines are met exactly. A sample on a line between two squares
-// belongs to the later one if `forward`.
+// The stops of all sample rows or columns along an axis of `count` cells, computed in
+// whole parts of a cell, so that samples on lines are exactly on them. Such a sample
+// belongs to the later square if `forward`.
 std::vector<Stop> stops(int count, int rays, bool forward) {
     const int cell = 2 * rays, last = cell * (count - 1);
     std::vector<Stop> result;
@@ -50,13 +51,13 @@ Error no_memory(int width, int height) {
                    height);
 }
 
-// Every sample of a cast, and the unit vector to the sun.
+// The samples of a cast, and the unit vector to the sun.
 struct Samples {
     std::vector<Stop> columns, rows;
     Vertex sun;
 };
 
-// Where a sample's ray starts, and whether the triangle it leaves is turned to the sun.
+// The origin of a sample's ray, and whether its triangle faces the sun.
 struct Start {
     Vertex at;
     bool faces_sun;
@@ -77,7 +78,7 @@ void check_request(const Field<float>& heights, double spacing) {
                 i % static_cast<std::size_t>(w), i / static_cast<std::size_t>(w));
 }
 
-// Whether any cell of the tile of samples at (x, y) is asked for.
+// Whether any cell of the tile of samples at (x, y) is wanted.
 bool wanted(const Field<std::uint8_t>& where, int x, int y, int rays) {
     if (where.empty()) return true;
     const int east = std::min((x + kTile - 1) / rays, where.width() - 1);
@@ -94,7 +95,7 @@ struct Caster::Scene {
     Scene(const Field<float>& heights, double spacing);
 
     void lay_grid(const Field<float>& heights, double spacing);
-    // Vertices lie from the south row to the north; y counts from the north, as in
+    // Vertices are stored from the south row to the north; y counts from the north, as in
     // fields.
     const Vertex* row(int y) const {
         return vertices + static_cast<std::size_t>(height - 1 - y) * width;
@@ -106,7 +107,7 @@ struct Caster::Scene {
     int width, height;
     embree::Device device;
     embree::Scene scene;
-    const Vertex* vertices = nullptr;  // the geometry's own
+    const Vertex* vertices = nullptr;  // owned by the geometry
     float lift = 0.0f;                 // how far above the mesh rays start
 };
 
@@ -132,8 +133,8 @@ void Caster::Scene::lay_grid(const Field<float>& heights, double spacing) {
         });
     });
     if (!vertices) throw no_memory(width, height);
-    // A few steps between neighbouring floats at the mesh's far end: a quarter of it is
-    // the least that keeps planes free of their own shadow.
+    // A few rounding steps of a float at the mesh's far end; a quarter of this is the
+    // least that keeps planes from shadowing themselves.
     const double reach =
         std::max({0.5 * width, 0.5 * height, (*high - middle) / spacing});
     lift = static_cast<float>(4.0 * reach * std::numeric_limits<float>::epsilon());
@@ -144,9 +145,9 @@ Start Caster::Scene::start(Stop column, Stop line, Vertex sun) const {
     const Vertex* south = row(line.cell + 1) + column.cell;
     const float nw = north[0].z, ne = north[1].z, sw = south[0].z, se = south[1].z;
     const float u = column.at, v = line.at;
-    // The square's NW-SE diagonal is u = v. Samples on it, half of those at 2x2 a cell,
-    // belong to the north-east as in POV-Ray; corners, as all other lines, to the sun's
-    // side, so that crests are lit.
+    // The square's NW-SE diagonal is u = v. Samples on it, which are half of those at 2x2
+    // a cell, belong to the north-east triangle, as in POV-Ray. Samples on corners and on
+    // all other lines belong to the side of the sun, so that crests are lit.
     const bool corner = u == 0.0f || u == 1.0f;
     const bool north_east = u > v || (u == v && (!corner || sun.x + sun.y > 0.0f));
     const float rise_u = north_east ? ne - nw : se - sw;

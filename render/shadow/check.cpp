@@ -18,13 +18,13 @@ namespace {
 
 using Mask = Field<std::uint8_t>;
 
-// Shadow black, light white, as targets are drawn.
+// A mask as a picture: shadow black and light white, as targets are drawn.
 void write_mask(const fs::path& path, Mask mask) {
     for (auto& m : mask) m = m ? 0 : 255;
     write_png(path, mask);
 }
 
-// White where shadows count.
+// A window as a picture: white where shadows count.
 void write_window(const fs::path& path, Mask window) {
     for (auto& w : window) w = w ? 255 : 0;
     write_png(path, window);
@@ -32,7 +32,7 @@ void write_window(const fs::path& path, Mask window) {
 
 void check_request(const Terrain& terrain) {
     for (const ShadowImage& image : terrain.shadows) check_shapes(terrain.heights, image);
-    // Rounding to 16 bits would hide them.
+    // Checked before rounding to 16 bits hides them.
     if (!std::all_of(terrain.heights.begin(), terrain.heights.end(),
                      [](float h) { return std::isfinite(h); }))
         throw bad_request(
@@ -44,7 +44,7 @@ fs::path place_of(const Terrain& terrain, const ShadowImage& image,
     return terrain.shadows.size() == 1 ? folder : folder / image.name;
 }
 
-// The other image that asks for most of the cells that `image` gave up.
+// The other image that wants most of the cells that were left by `image`.
 std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& all) {
     std::string rival;
     std::size_t most = 0;
@@ -52,8 +52,8 @@ std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& a
         if (&other == &image) continue;
         const Mask& asked = other.window.empty() ? other.target : other.window;
         std::size_t shared = 0;
-        for (std::size_t i = 0; i < image.given_up.size(); ++i)
-            shared += image.given_up[i] && asked[i];
+        for (std::size_t i = 0; i < image.relaxed.size(); ++i)
+            shared += image.relaxed[i] && asked[i];
         if (shared > most) {
             most = shared;
             rival = other.name;
@@ -62,16 +62,16 @@ std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& a
     return rival;
 }
 
-// Not up to what is wanted: 0.8498 is not 0.85.
+// Rounded down, so that 0.8498 does not read as 0.85.
 double shown(double iou) { return std::floor(iou * 1000.0) / 1000.0; }
 
-// Shadows are h / tan(elevation) long: the elevation that makes them `times` as long.
+// The elevation that makes shadows, which are h / tan(elevation) long, `times` as long.
 double elevation_for(const Sun& sun, double times) {
     const double wanted = std::atan(std::tan(sun.elevation) / times);
     return std::clamp(degrees(wanted), 3.0, 80.0);
 }
 
-// Where images contradict one another, no land shows them all.
+// Advice for images that contradict one another: no land shows them all.
 std::string about_rivals(const ShadowReport& report) {
     const std::string other =
         report.rival.empty() ? "the other images" : fmt::format("'{}'", report.rival);
@@ -80,7 +80,7 @@ std::string about_rivals(const ShadowReport& report) {
         "land shows both. Move the two apart (position) or scale either down until "
         "their windows share no ground; or relight them from one azimuth, so that what "
         "the higher sun shades lies within what the lower one does.",
-        100.0 * report.given_up, other);
+        100.0 * report.relaxed, other);
 }
 
 std::string about_light(const ShadowReport& report) {
@@ -137,7 +137,7 @@ std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder) 
                            image.sun,
                            image.min_iou,
                            score(cast, image.target, image.window),
-                           given_up(image).share,
+                           relaxed(image).share,
                            rival_of(image, terrain.shadows),
                            {}});
     }
@@ -173,11 +173,11 @@ std::string advice(const ShadowReport& report) {
         "The shadow of '{}' matches its target with IoU {:.3f} (precision {:.3f}, recall "
         "{:.3f}); {:.3f} is wanted.",
         report.name, shown(iou), precision, recall, report.min_iou);
-    if (report.given_up > 0.0) text += about_rivals(report);
+    if (report.relaxed > 0.0) text += about_rivals(report);
     if (recall <= precision) text += about_light(report);
     if (precision <= recall) text += about_shadow(report);
     text += " overlay.png shows where: blue hit, yellow missed, pink spurious";
-    return text + (report.given_up > 0.0 ? ", violet gave way." : ".");
+    return text + (report.relaxed > 0.0 ? ", violet gave way." : ".");
 }
 
 }  // namespace cydonia::render

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// Points of the unit circle, drawn as a polygon; every second one at `inner` makes a
-// star.
+// A polygon with corners on the unit circle. With `inner` below 1 every second corner is
+// at that radius, which makes a star.
 std::vector<cv::Point2d> corners(int count, double inner) {
     std::vector<cv::Point2d> result;
     const int points = inner < 1.0 ? 2 * count : count;
@@ -25,8 +25,8 @@ std::vector<cv::Point2d> corners(int count, double inner) {
     return result;
 }
 
-// Where a silhouette lies: its middle as shares of width and height, its radius as a
-// share of the shorter side, its turn.
+// The middle of a silhouette as shares of width and height, its radius as a share of the
+// shorter side, and its rotation in radians.
 struct Pose {
     double x, y, radius, turn;
 };
@@ -58,7 +58,7 @@ class Drawing {
         polygon({{-1, -width}, {1, -width}, {1, width}, {-1, width}});
         polygon({{-width, -1}, {width, -1}, {width, 1}, {-width, 1}});
     }
-    // Upright, as high as the diameter.
+    // Upright letters, as high as the diameter.
     void letters(const std::string& text) {
         constexpr auto kFont = cv::FONT_HERSHEY_SIMPLEX;
         const int thick = pixels(0.3);
@@ -91,7 +91,8 @@ struct Silhouette {
     void (*draw)(Drawing&);
 };
 
-// As people place them: mostly near the middle, from a tenth of the land to most of it.
+// Placed as people place images: mostly near the middle, covering a tenth of the land to
+// most of it.
 constexpr Silhouette kSilhouettes[] = {
     {{0.50, 0.50, 0.20, 0.0}, [](Drawing& d) { d.letters("A"); }},
     {{0.30, 0.35, 0.22, 0.0}, [](Drawing& d) { d.letters("K"); }},

@@ -7,8 +7,9 @@
 
 namespace cydonia::render {
 
-// Twenty silhouettes that nobody asked for: letters, digits, polygons, stars, crosses,
-// rings, of many sizes and places. 1 in shadow, as targets. The same for every call.
+// Twenty silhouettes to compare a cast shadow with: letters, digits, polygons, stars,
+// crosses and rings of many sizes and positions. Masks are 1 in shadow, as targets are,
+// and the same for every call.
 std::vector<Field<std::uint8_t>> distractors(int width, int height);
 
 }  // namespace cydonia::render

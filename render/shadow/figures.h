@@ -10,7 +10,7 @@
 
 namespace cydonia::render {
 
-// Land as it is checked: heights rounded to POV-Ray's 16 bits, and their caster.
+// The land that is checked: heights rounded to POV-Ray's 16 bits, and their caster.
 struct CheckedLand {
     // `heights` and `spacing` in metres. Throws bad_request as Caster does.
     CheckedLand(const Field<float>& heights, double spacing);
@@ -20,43 +20,44 @@ struct CheckedLand {
     Caster caster;
 };
 
-// What is left of an image under one sun; all over the whole frame.
+// How visible an image is under one sun, measured over the whole frame.
 struct Trace {
-    double correlation = 0.0;   // of the cast shadow with the target; 0 hides it
-    double outline = 1.0;       // outline_shading; 1 hides it
+    double correlation = 0.0;   // of the cast shadow with the target; 0: invisible
+    double outline = 1.0;       // outline_shading(); 1: invisible
     double standing_out = 0.0;  // from the distractors, in standard deviations
 };
 
-// A sun that should not show the image: the image's own, turned or raised.
+// A sun under which the image should not show: its own sun, turned or raised.
 struct OtherSun {
     Sun sun;
     double turned = 0.0;  // radians from the image's own, clockwise; 0: raised
     Trace land;
     std::optional<Trace> base;
 
-    // The land's correlation, less the base's own.
+    // The correlation of the land minus that of the base.
     double correlation() const {
         return land.correlation - (base ? base->correlation : 0.0);
     }
 };
 
 // The cells of the window in which an image gave way to others.
-struct GivenUp {
+struct Relaxed {
     double share = 0.0;  // of the window
-    double bound = 1.0;  // the IoU that is left where all of them show the wrong thing
+    double bound = 1.0;  // the highest IoU possible when all of them are wrong
 };
-GivenUp given_up(const ShadowImage& image);
+Relaxed relaxed(const ShadowImage& image);
 
-// All that is reported of one image; its window is where shadows count.
+// All figures of one image. Its window is where shadows count.
 struct ShadowFigures {
-    // Hard sun, in the window: 2x2 and 4x4 samples a cell, and at the cells' middles.
+    // With hard shadows, within the window: at 2x2 and 4x4 samples a cell, and at the
+    // middles of cells.
     ShadowScore fine;
     double iou_4x4 = 0.0, iou_1x1 = 0.0;
-    double iou_frame = 0.0;             // 2x2, everywhere
-    double iou_soft = 0.0;              // 2x2, half of the sun's disc hidden
-    double outline = 0.0;               // F-score of the outlines at one cell, 2x2
+    double iou_frame = 0.0;  // 2x2, everywhere
+    double iou_soft = 0.0;   // 2x2; in shadow where half of the sun's disc is occluded
+    double outline = 0.0;    // F-score of the outlines at one cell, 2x2
     std::optional<double> thin_recall;  // of parts thinner than four cells
-    GivenUp given_up;
+    Relaxed relaxed;
 
     double standing_out = 0.0;  // under its own sun
     std::vector<OtherSun> other_suns;
@@ -65,7 +66,7 @@ struct ShadowFigures {
     std::optional<LandFigures> base;
 };
 
-// Throws bad_request where the image's masks and the heights differ in shape.
+// Throws bad_request when the image's masks and the heights differ in shape.
 void check_shapes(const Field<float>& heights, const ShadowImage& image);
 
 // `base` is the land before it was bent, null where that is not known: what is less the

@@ -15,7 +15,7 @@ namespace {
 constexpr int kLonger = 128;         // pixels
 constexpr double kBroad = 1.0 / 16;  // of the shorter side
 
-// Of unit length, so that a dot product is a correlation; all zeros where nothing is.
+// Normalised, so that a dot product is a correlation; all zeros for an empty mask.
 cv::Mat seen(const Field<std::uint8_t>& mask) {
     const double scale =
         static_cast<double>(kLonger) / std::max(mask.width(), mask.height());

@@ -7,18 +7,19 @@
 
 namespace cydonia::render {
 
-// A target among twenty other silhouettes (distractors.h): does a shadow show this one?
-// Large shapes at one place are alike whatever they show, so all are compared as seen
-// from afar and without what is broad: at 128 pixels along the longer side, less their
-// blur by a sixteenth of the shorter side.
+// Compares a cast shadow with a target and with twenty other silhouettes (distractors.h).
+// Large shapes at one position are similar whatever they show. Therefore all are compared
+// at 128 pixels along the longer side and high-pass filtered: a blur over a sixteenth of
+// the shorter side is subtracted.
 class Lineup {
   public:
     explicit Lineup(const Field<std::uint8_t>& target);
     ~Lineup();
 
-    // How far a cast (a sample a cell, shaped as the target) stands out as the target:
-    // its correlation with it, less the mean of those with the others, in their standard
-    // deviations. A perfect cast has 13 to 25; chance is within 2. 0 without any shadow.
+    // How far a cast (a sample a cell, of the target's shape) stands out as the target:
+    // its correlation with the target minus the mean of its correlations with the others,
+    // in standard deviations of these. A perfect cast has 13 to 25 and chance is
+    // within 2. It is 0 without any shadow.
     double standing_out(const Field<std::uint8_t>& cast) const;
 
   private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNear = 2.0;  // cells
 
-// A sum and how many.
+// A sum and the number of its terms.
 struct Sum {
     double total = 0.0;
     std::size_t count = 0;
@@ -31,8 +31,8 @@ Field<std::uint8_t> near_outline(const Field<std::uint8_t>& target) {
     Field<std::uint8_t> near(target.width(), target.height());
     const auto dark = std::ranges::count_if(target, [](auto t) { return t != 0; });
     if (dark == 0 || dark == static_cast<std::ptrdiff_t>(target.size())) return near;
-    // To the nearest cell of the other kind, whose middle is half a cell beyond the
-    // outline; one of them is 0.
+    // Distances to the nearest cell of the other value, whose middle is half a cell
+    // beyond the outline. One of the two is 0.
     const Field<float> dark_side = cells_inside(target, true);
     const Field<float> light_side = cells_inside(target, false);
     for (std::size_t i = 0; i < near.size(); ++i)

@@ -10,10 +10,10 @@ namespace cydonia::render {
 // 1 in cells whose middle lies within two cells of the target's outline.
 Field<std::uint8_t> near_outline(const Field<std::uint8_t>& target);
 
-// Whether an image's outline shows in the ground's shading where its shadow is not: the
-// mean gradient of Lambert shading (the light that falls on a sample, no cast shadow)
-// where `near` is 1 over that elsewhere. 1 is invisible, also where nothing is near.
-// `heights` in metres, at least 3 x 3; `near` as large, else bad_request.
+// How much an image's outline shows in the shading of the ground, without cast shadows:
+// the mean gradient of Lambert shading where `near` is 1, divided by that elsewhere. 1 is
+// invisible and also the result when `near` is empty of ones. `heights` are in metres, at
+// least 3 x 3. Throws bad_request when `near` has another shape.
 double outline_shading(const Field<float>& heights, double spacing, const Sun& sun,
                        const Field<std::uint8_t>& near);
 

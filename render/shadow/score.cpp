@@ -28,12 +28,12 @@ bool counts(const Mask& window, int x, int y) {
     return window.empty() || window(x, y) != 0;
 }
 
-// OpenCV reads the mask where it lies.
+// A view of the mask for OpenCV, without a copy.
 cv::Mat matrix(const Mask& mask) {
     return {mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data())};
 }
 
-// Samples in shadow with a lit neighbour, both where the window is.
+// Samples in shadow with a lit neighbour, both within the window.
 Mask outline(const Mask& mask, const Mask& window, int rays) {
     Mask result(mask.width(), mask.height());
     const auto lit = [&](int x, int y) {
@@ -62,7 +62,7 @@ double share_near(const Mask& line, const Mask& other, double distance) {
     return ratio(near, all);
 }
 
-// A disc on cells * cells: those whose middle lies within it.
+// A disc on cells x cells: those whose middle lies within it.
 cv::Mat disc(int cells) {
     cv::Mat element(cells, cells, CV_8U);
     for (int y = 0; y < cells; ++y)
@@ -72,14 +72,14 @@ cv::Mat disc(int cells) {
     return element;
 }
 
-// What an opening by the disc takes away. Erosion and dilation see shadow beyond the
-// frame's edge as they see the edge itself, so that cutting a part makes it no thinner.
+// What a morphological opening by the disc removes. Values at the frame's edge are
+// extended beyond it, so that a part that the frame cuts does not become thinner.
 Mask thin_parts(const Mask& target, int cells) {
     const cv::Mat element = disc(cells);
     cv::Mat padded, eroded, opened, mirrored;
     cv::copyMakeBorder(matrix(target), padded, cells, cells, cells, cells,
                        cv::BORDER_REPLICATE);
-    cv::flip(element, mirrored, -1);  // and the anchor with it: a true opening
+    cv::flip(element, mirrored, -1);  // with the anchor, so that this is a true opening
     const int at = (cells - 1) / 2, back = cells - 1 - at;
     cv::erode(padded, eroded, element, {at, at});
     cv::dilate(eroded, opened, mirrored, {back, back});

@@ -14,14 +14,14 @@ namespace {
 constexpr double kRadius = 0.53 / 2.0 * std::numbers::pi / 180.0;
 constexpr int kRim = 4;
 
-// So far from the disc's middle. On the horizon its lower part has set: light comes
-// level.
+// The sun, moved from the disc's middle. A direction below the horizon becomes level,
+// since that part of the disc has set.
 Sun toward(const Sun& sun, double radius, double angle) {
     return {sun.azimuth + radius * std::cos(angle) / std::cos(sun.elevation),
             std::max(1e-3, sun.elevation + radius * std::sin(angle))};
 }
 
-// Cells that the disc's rim does not show all lit or all dark, and their neighbours.
+// Cells where the directions of the disc's rim disagree, and their neighbours.
 Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
     const std::vector<Sun> rim = sun_rim(sun, 1.0);
     Field<std::uint8_t> dark = caster.shadow(sun, 1);
@@ -46,8 +46,8 @@ Field<std::uint8_t> penumbra(const Caster& caster, const Sun& sun) {
 
 }  // namespace
 
-// On a sunflower's spiral (Vogel 1979) and across: each stands for as much of the disc,
-// and any line through the middle halves them.
+// Points of a sunflower spiral (Vogel 1979) and their opposites: each represents the same
+// area of the disc, and every line through the middle has half of them on each side.
 std::vector<Sun> sun_disc(const Sun& sun, int pairs) {
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
     std::vector<Sun> result;

@@ -6,18 +6,19 @@
 
 namespace cydonia::render {
 
-// The sun is a disc, 0.53 degrees across: directions that lie evenly over it.
+// Soft shadows of the sun as a disc, 0.53 degrees across, sampled by directions.
 inline constexpr int kDiscDirections = 17;
-// 2 * pairs such places, and 4 on a circle of so many times the disc's radius.
+// 2 * pairs directions spread evenly over the disc, and 4 on a circle of the given
+// multiple of its radius.
 std::vector<Sun> sun_disc(const Sun& sun, int pairs);
 std::vector<Sun> sun_rim(const Sun& sun, double radii);
 
-// From how many of them the sun is hidden, for samples as in Caster::shadow. They are
-// cast only in the penumbrae: where the disc's rim, at a sample a cell, sees all lit or
-// all dark, so is the sample.
+// The number of directions in which the sun is occluded, for samples as in
+// Caster::shadow. They are cast only in penumbrae: where all directions of the rim, at
+// one sample a cell, are lit or all are dark, the samples are too.
 Field<std::uint8_t> hidden_sun(const Caster& caster, const Sun& sun, int rays);
 
-// 1 where more than half of it is: what an eye takes for the edge of a soft shadow.
+// 1 where more than half of the disc is occluded, which the eye takes for shadow.
 Field<std::uint8_t> soft_shadow(const Caster& caster, const Sun& sun, int rays);
 
 }  // namespace cydonia::render

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kHour = kPi / kClockSuns;
-constexpr double kLowest = 2.0;     // degrees: lower suns only draw the horizon
-constexpr double kFromRise = 30.0;  // degrees of azimuth
+constexpr double kLowest = 2.0;     // degrees; a lower sun lights next to nothing
+constexpr double kFromRise = 30.0;  // degrees of azimuth from rise and set
 constexpr int kAcross = 4, kDown = 3;
 constexpr int kTile = 320;           // pixels, the longer side
 constexpr int kText = 22, kGap = 4;  // pixels
@@ -28,8 +28,8 @@ constexpr Rgb8 kOwn{255, 190, 40};
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
 
-// The great circle of a day: where the sun is highest, how high, and whether it goes
-// clockwise seen from above (it rises in the east).
+// The great circle of a day: the azimuth and elevation of the highest sun, and whether
+// the sun moves clockwise seen from above (it rises in the east).
 struct Day {
     double noon, highest;
     bool clockwise;
@@ -44,7 +44,7 @@ Day day_of(const Sun& own) {
             !north};
 }
 
-// `turn` 0 at its rise, pi at its set.
+// The sun at `turn`: 0 at its rise, pi at its set.
 Sun sun_at(const Day& day, double turn) {
     const double up = std::sin(turn) * std::sin(day.highest);
     const double to_noon = std::sin(turn) * std::cos(day.highest);
@@ -61,7 +61,7 @@ double turn_of(const Day& day, const Sun& own) {
                       level * std::sin(off));
 }
 
-// Sunlight and a blue sky's: 0 to 1, red, green and blue.
+// The light of the sun and of a blue sky, 0 to 1: red, green and blue.
 cv::Mat lit(const CheckedLand& land, const Sun& sun, const cv::Size& size) {
     Field<float> light = shading(land.heights, land.spacing, sun);
     const Field<std::uint8_t> cast = land.caster.shadow(sun, 1);
@@ -78,7 +78,7 @@ cv::Mat lit(const CheckedLand& land, const Sun& sun, const cv::Size& size) {
     return direct * exposure;
 }
 
-// The slopes' light from above keeps the ground readable in shadow.
+// Light from above shades slopes, so that the ground can be read in shadow.
 cv::Mat sky_of(const CheckedLand& land, const cv::Size& size) {
     Field<float> light =
         shading(land.heights, land.spacing, {radians(315.0), radians(60.0)});

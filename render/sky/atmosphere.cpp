@@ -43,8 +43,9 @@ Vec3 share(Vec3 a, Vec3 b) {
     return {divide(a.x, b.x), divide(a.y, b.y), divide(a.z, b.z)};
 }
 
-// Angstrom's law: the depth of all aerosols overhead, spread over their scale height.
-// Grains of dust are larger than a wavelength and dim all colours alike.
+// Angstrom's law gives the optical depth of all aerosols overhead; dividing by their
+// scale height gives the coefficient. Grains of dust are larger than a wavelength and dim
+// all colours equally.
 Vec3 aerosol_of(double turbidity, bool dust) {
     const double beta = std::max(0.0, 0.04608 * turbidity - 0.04586);
     const auto extinction = [&](double wavelength) {
@@ -55,8 +56,8 @@ Vec3 aerosol_of(double turbidity, bool dust) {
             extinction(kWavelengths.z)};
 }
 
-// Where a ray from `origin` (planet's centre at 0) leaves the air, and whether at the
-// ground.
+// The distance at which a ray from `origin` (the planet's centre is 0) leaves the air,
+// and whether it ends at the ground.
 struct Exit {
     double distance;
     bool ground;
@@ -71,16 +72,16 @@ Exit exit_of(Vec3 origin, Vec3 direction) {
 
 }  // namespace
 
-// What the air does to light at a point.
+// The scattering and extinction of the air at a point.
 struct Atmosphere::Medium {
     Vec3 rayleigh, aerosol, extinction;
     Vec3 scattering() const { return rayleigh + aerosol; }
 };
 
 struct Atmosphere::Marched {
-    Vec3 light;    // radiance, sun's irradiance pi
-    Vec3 feeding;  // what comes back of uniform light: f_ms
-    Vec3 passed;   // of light from behind
+    Vec3 light;    // radiance, for an irradiance of pi by the sun
+    Vec3 feeding;  // the share of uniform light that comes back: f_ms
+    Vec3 passed;   // transmittance for light from behind
 };
 
 Atmosphere::Atmosphere(const Sun& sun, const SkyOptions& options)
@@ -143,7 +144,7 @@ Vec3 Atmosphere::transmittance(Vec3 from, Vec3 direction) const {
     constexpr int kSteps = 32;
     Vec3 depth;
     for (int i = 0; i < kSteps; ++i) {
-        // Steps grow with distance: the air is thin far away.
+        // Steps grow with distance, since the air is thin far away.
         const double a = static_cast<double>(i) / kSteps, b = (i + 1.0) / kSteps;
         const double t0 = exit.distance * a * a, t1 = exit.distance * b * b;
         depth =
@@ -221,7 +222,7 @@ Atmosphere::Marched Atmosphere::march(Vec3 from, Vec3 direction, int steps,
         Vec3 scattered =
             mul(all_orders ? phase(m, cosine) : (0.25 / pi) * m.scattering(), sun);
         if (all_orders) scattered = scattered + mul(m.scattering(), further_light(p));
-        // Exact along a step of constant medium.
+        // The integral is exact along a step of constant medium.
         const Vec3 passed = exp_of(-(t1 - t0) * m.extinction);
         const Vec3 gained = share(grey(1.0) - passed, m.extinction);
         result.light = result.light + mul(through, mul(scattered, gained));

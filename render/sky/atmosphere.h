@@ -9,20 +9,21 @@
 
 namespace cydonia::render {
 
-// Clear air under a light far away, by ray marching. Colours are linear Rec.709 for a
-// light whose colour outside the air is 1 (render/sky/sky.h).
+// Clear air under a distant light, computed by ray marching. Colours are linear Rec.709
+// for a light whose colour outside the air is 1 (render/sky/sky.h).
 class Atmosphere {
   public:
     Atmosphere(const Sun& sun, const SkyOptions& options);
 
-    // Toward an eye, 500 m above the sea, from a direction above the horizon.
+    // Radiance from a direction above the horizon to an eye 500 m above the sea.
     Vec3 radiance(Vec3 direction) const;
-    // The same of the air along the first metres of the way, as if it took all light that
-    // the same air takes of green. The eye may be higher by `altitude` metres.
+    // The same of the air along the first `distance` metres only, divided by the share of
+    // green light that this air takes away. The eye is `altitude` metres higher.
     Vec3 air_light(Vec3 direction, double distance, double altitude = 0.0) const;
-    // Of green light, per metre, so high above the sea.
+    // Extinction of green light per metre at an altitude above the sea.
     static double extinction(const SkyOptions& options, double altitude);
-    // Of the light itself there: the mean over its disc, part of which may have set.
+    // Colour of the light itself at the eye: the mean over its disc, part of which may
+    // have set.
     Vec3 sun_colour() const;
 
   private:
@@ -42,7 +43,7 @@ class Atmosphere {
 
     Sun place_;
     Vec3 sun_;
-    // Of molecules, and of what floats among them: at sea level, per metre.
+    // Coefficients of molecules and of aerosols at sea level, per metre.
     Vec3 rayleigh_, ozone_, aerosol_;
     Vec3 aerosol_albedo_, aerosol_g_;
     double aerosol_height_;  // metres

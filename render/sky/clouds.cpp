@@ -22,15 +22,16 @@ constexpr double kReach = 30e3;     // metres from its middle to its sides; then
 constexpr double kPlanet = 6360e3;  // radius
 constexpr double kHeapBase = 1800.0, kHeapHeight = 1300.0, kHeapExtinction = 0.012;
 constexpr double kIceBase = 8000.0, kIceDepth = 0.5;
-constexpr double kShade = 0.15;   // of the extinction, what takes light from the land
-constexpr double kForward = 0.8;  // of Henyey and Greenstein
-constexpr double kLowestSun = radians(3.0);  // that throws shadows
+constexpr double kShade = 0.15;  // share of the extinction that takes light from the land
+constexpr double kForward = 0.8;  // asymmetry of Henyey and Greenstein's phase function
+constexpr double kLowestSun =
+    radians(3.0);  // the lowest sun that casts shadows of clouds
 
 double henyey_greenstein(double cosine, double g) {
     return (1.0 - g * g) / (4.0 * pi * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
 }
 
-// Light sent on at a cosine from the sun, below an optical depth.
+// Light scattered at a cosine from the sun, below an optical depth.
 class Scattered {
   public:
     explicit Scattered(double cosine) {
@@ -60,7 +61,7 @@ double octaves(double x, double y, int count, std::uint64_t seed) {
     return sum;
 }
 
-// Heaps a kilometre or two across in groups of ten, rounded above.
+// Cumulus: heaps one or two kilometres wide in groups of about ten, rounded above.
 float heap(double x, double y) {
     const double group = octaves(x / 11e3, y / 11e3, 2, 71);
     const double one = octaves(x / 2600.0, y / 2600.0, 6, 72);
@@ -68,7 +69,7 @@ float heap(double x, double y) {
         std::sqrt(std::clamp(1.5 * (one + 0.7 * group - 0.12), 0.0, 1.0)));
 }
 
-// Streaks that the wind has drawn out and bent.
+// Cirrus: streaks that the wind has drawn out and bent.
 float streak(double x, double y) {
     const double bend = 5e3 * gradient_noise(x / 21e3, y / 21e3, 81);
     const double along = (0.8 * x + 0.6 * y) / 26e3;
@@ -88,7 +89,7 @@ Field<float> map_of(const Thickness& thickness) {
     });
     return map;
 }
-// The same under every sun, and most of the work of a frame's sky: drawn once.
+// The map does not depend on the sun. It is most of the work of a sky and drawn once.
 const Field<float>& heaps() {
     static const Field<float> map = map_of(heap);
     return map;
@@ -104,7 +105,8 @@ double mirrored(double metres) {
     return std::min(at, 4.0 * kReach - at) / (2.0 * kReach) * (kMap - 1);
 }
 
-// Where a ray from the ground meets a level `up` over a round earth.
+// The distance at which a ray from the ground reaches an altitude of `up` above a round
+// earth.
 double distance_to(double sine, double up) {
     const double b = kPlanet * sine;
     return std::sqrt(b * b + 2.0 * kPlanet * up + up * up) - b;
@@ -126,7 +128,7 @@ double CloudLayer::thickness(double east, double north) const {
            v * ((1.0 - u) * map_(i, j + 1) + u * map_(i + 1, j + 1));
 }
 
-// Of heaps, whose bases are flat: z from 0 at the base to 1 as high as any reaches.
+// Density of cumulus with flat bases: z is 0 at the base and 1 at the highest top.
 double CloudLayer::density(Vec3 p) const {
     if (p.z < 0.0 || p.z > 1.0) return 0.0;
     return smoothstep(0.0, 0.08, p.z) * smoothstep(0.0, 0.18, thickness(p.x, p.y) - p.z);
@@ -142,7 +144,7 @@ double CloudLayer::sunlight_through(Vec3 point) const {
             step * kHeapExtinction *
             density({point.x + t * sun_.x, point.y + t * sun_.y, (i + 0.5) / kSteps});
     }
-    // What is scattered forward comes down too.
+    // Light scattered forward reaches the ground too.
     return std::exp(-kShade * depth);
 }
 

@@ -7,21 +7,22 @@
 
 namespace cydonia::render {
 
-// A layer of cloud over the middle of the land: heaps on a level base, or streaks of ice.
+// A layer of cloud over the middle of the land: cumulus on a level base, or cirrus.
 class CloudLayer {
   public:
     CloudLayer(Clouds kind, const Sun& sun);
 
-    // What is seen of it in a direction above the horizon under sunlight and skylight, as
-    // colours of render/sky/sky.h, and how much of what is behind.
+    // The light of the clouds in a direction above the horizon under the given sunlight
+    // and skylight (colours of render/sky/sky.h), and the share of the light behind them
+    // that passes.
     struct Seen {
         Vec3 light;
         double through = 1.0;
     };
     Seen seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) const;
 
-    // The share of sunlight that comes through to a point on level ground, metres from
-    // the middle of the land, or above it. Heaps only.
+    // The share of sunlight that reaches a point, metres from the middle of the land.
+    // Cumulus only.
     double sunlight_through(Vec3 point) const;
 
   private:
@@ -33,8 +34,9 @@ class CloudLayer {
     const Field<float>& map_;
 };
 
-// Whether clouds throw shadows on the land: broken ones, where it is asked for, else
-// where the land holds no shadow image; not from a sun so low that they would be endless.
+// Whether clouds cast shadows on the land. Only broken clouds do: if the options say so,
+// or by default when the land shows no shadow image. They do not under a sun so low that
+// shadows would be endless.
 bool throw_shadows(const SkyOptions& sky, const Sun& sun, bool holds_image);
 
 }  // namespace cydonia::render

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Of the light above an overcast, as much comes through: by IES 1984, 0.3 + 21 sin h of
+// The share of light that passes an overcast, by IES 1984: 0.3 + 21 sin h of
 // 0.8 + 15.5 sqrt(sin h) + 127.5 exp(-0.21 / sin h) sin h kilolux.
 constexpr double kThroughOvercast = 0.2;
 
@@ -28,25 +28,25 @@ Rgb rgb(Vec3 v) {
 Vec3 vec(const Rgb& c) { return {c[0], c[1], c[2]}; }
 double luminance(Vec3 v) { return 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z; }
 
-// Of the moon's light to that of a full one: C. W. Allen, "Astrophysical Quantities"
-// (1976), section 66, by the angle at which it is lit.
+// The moon's light relative to that of a full moon by its phase angle: C. W. Allen,
+// "Astrophysical Quantities" (1976), section 66.
 double phase_light(double lit_share) {
     const double angle = std::acos(std::clamp(2.0 * lit_share - 1.0, -1.0, 1.0));
     const double a = angle * 180.0 / pi;
     return std::pow(10.0, -0.4 * (0.026 * a + 4e-9 * a * a * a * a));
 }
 
-// What the light is outside the air. An eye that sees by moonlight sees little colour and
-// all of it blue: Jensen et al. 2001, section 5, shift white to the chromaticity
-// (0.25, 0.25), which is too much for a film; of that shift this is a half, luminance
-// kept. Of the sky's own colour a fifth is left.
+// The colour of the light outside the air. By moonlight the eye sees little colour and a
+// blue tint: Jensen et al. 2001, section 5, shift white to the chromaticity (0.25, 0.25).
+// For a film half of that shift is enough; luminance is kept. A fifth of the sky's own
+// colour is left.
 constexpr Vec3 kMoonlight{0.842, 1.012, 1.345};
 constexpr double kNightSaturation = 0.2;
 
-// Overcast, 6900 K against the sun outside the air.
+// The colour of an overcast, 6900 K, relative to the sun outside the air.
 constexpr Vec3 kOvercastColour{0.961, 1.007, 1.046};
 
-// Of the light that falls on land without air, what its slopes send to one another.
+// The share of light that slopes send to one another on land without air.
 constexpr double kSlopesSeen = 0.1;
 
 class Sky {
@@ -62,7 +62,7 @@ class Sky {
         if (options.clouds == Clouds::kOvercast) {
             const Vec3 above =
                 clear_ + std::max(sine_, 0.0) * mul(light_, faded(air_.sun_colour()));
-            // Thick cloud mixes sun and sky to one grey.
+            // Thick cloud mixes sun and sky to a uniform grey.
             overcast_ = kThroughOvercast * luminance(above) *
                         (night() ? kMoonlight : kOvercastColour);
         }
@@ -74,7 +74,7 @@ class Sky {
         if (!options_.air) return sine_ > 0.0 ? light_ : Vec3{};
         return overcast() ? Vec3{} : mul(light_, faded(air_.sun_colour()));
     }
-    // Mean radiance over level ground.
+    // Cosine-weighted mean radiance over level ground.
     Vec3 mean() const {
         if (!options_.air)
             return kSlopesSeen * options_.ground_albedo * std::max(sine_, 0.0) * light_;
@@ -88,7 +88,7 @@ class Sky {
                           : seen(air_.radiance(direction));
     }
 
-    // What the air sends back on a way, as if it had taken all light there.
+    // The light of the air along a way, divided by the share of light that it takes away.
     Vec3 haze(Vec3 direction, double distance, double altitude) const {
         if (!options_.air || overcast())
             return radiance({direction.x, direction.y, std::max(direction.z, 0.0)});
@@ -130,7 +130,7 @@ Vec3 direction_at(double azimuth, double elevation) {
     return direction_to({azimuth, elevation});
 }
 
-// Of a pixel of the dome above the horizon; columns run from east to north.
+// The direction of a pixel of the dome above the horizon; columns run from east to north.
 Vec3 direction_of(int x, int y, int width, int height) {
     return direction_at(pi / 2.0 - 2.0 * pi * (x + 0.5) / width,
                         pi / 2.0 * (1.0 - (y + 0.5) / height));
@@ -147,10 +147,10 @@ Vec3 mean_of(double azimuth, double angle, double elevation, const Light& light)
     return 1.0 / kAcross * sum;
 }
 
-constexpr int kCloudDetail = 6;  // pixels a pixel of clear sky
+constexpr int kCloudDetail = 6;  // pixels for each pixel of a clear sky, each way
 constexpr double kDegree = pi / 180.0;
 
-// Rows above the horizon; radiance is smooth away from the sun.
+// The rows above the horizon; radiance is smooth away from the sun.
 Field<Rgb> upper_dome(const Sky& sky, int width, int height) {
     Field<Rgb> dome(width, height);
     parallel_for(height, [&](int y) {
@@ -160,7 +160,7 @@ Field<Rgb> upper_dome(const Sky& sky, int width, int height) {
     return dome;
 }
 
-// The sky behind, bilinear, and the clouds before it, which the air veils far away.
+// The interpolated sky and the clouds in front of it, which the air veils far away.
 void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& clear,
                  Field<Rgb>& dome, int height) {
     const double scale = static_cast<double>(clear.width()) / dome.width();

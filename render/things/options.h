@@ -11,22 +11,24 @@
 
 namespace cydonia::render {
 
-// Things of one kind strewn over the land (Saunders 2006, VII.4): how many there are
-// where all suits them, and what suits them. `unset` numbers are the kind's own.
+// Things of one kind strewn over the land (Saunders 2006, VII.4): how densely they stand
+// where all conditions are right, and these conditions. Numbers that are not set are the
+// kind's own (originals.h).
 struct ThingOptions {
     enum class Kind { kConifer, kBroadleaf, kShrub, kGrass, kRock, kBoulder };
     Kind kind = Kind::kConifer;
-    std::optional<double> density = {};               // a hectare
-    std::optional<std::array<double, 2>> size = {};   // height from and to, metres
+    std::optional<double> density = {};               // things a hectare
+    std::optional<std::array<double, 2>> size = {};   // least and greatest height, metres
     std::optional<std::array<double, 2>> slope = {};  // none steeper than the second;
                                                       // all may stand below the first
-    // Between these heights of the ground; towards the upper they thin out and stay
-    // small: a tree line. Default: everywhere.
+    // The heights of the ground between which they stand. Towards the upper one, a tree
+    // line, they become rarer and smaller. Default: everywhere.
     std::optional<Length> from = {}, to = {};
-    std::string mask = {};           // one of the terrain's: as many as it says
-    std::optional<Source> map = {};  // a picture over the land: white many, black none
-    double clumping = 0.5;           // 0 evenly strewn, 1 in groups and clearings
-    // Also where the land's shadows show an image, which things would blur.
+    std::string mask = {};  // a mask of the terrain that scales the density
+    std::optional<Source> map =
+        {};                 // a picture over the land that scales it: white 1, black 0
+    double clumping = 0.5;  // 0 evenly strewn, 1 in groups and clearings
+    // Whether they also stand where the land's shadows show an image, which they blur.
     bool in_image = false;
 };
 

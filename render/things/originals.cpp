@@ -16,7 +16,7 @@ using Part = Original::Part;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// Numbers of one original, the same at every call.
+// The random numbers of one original, the same at every call.
 class Draws {
   public:
     Draws(Kind kind, int number)
@@ -53,7 +53,7 @@ void add_stem(Part& part, Vec3 from, Vec3 to, double radius, double end_radius) 
     }
 }
 
-// A ball of triangles, each corner moved out or in: an octahedron cut `times` finer.
+// A lump: an octahedron, subdivided `times` times, with each corner moved out or in.
 void add_lump(Part& part, Vec3 centre, Vec3 radius, int times, double roughness,
               std::uint64_t seed) {
     std::vector<Vec3> corners{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
@@ -126,7 +126,7 @@ Original broadleaf(Draws& draw) {
     const int boughs = 11;
     for (int i = 0; i < boughs; ++i) {
         const double a = kTurn * (0.618 * i + 0.05 * draw());
-        const double t = (i + 0.5) / boughs;  // from the crown's foot to its top
+        const double t = (i + 0.5) / boughs;  // 0 at the foot of the crown, 1 at its top
         const double out =
             0.27 * std::sqrt(std::max(0.0, 1.0 - std::pow(2 * t - 0.8, 2)));
         const Vec3 end{out * std::cos(a), out * std::sin(a), fork + 0.12 + 0.5 * t};
@@ -148,7 +148,7 @@ Original shrub(Draws& draw) {
     return {{leaves}};
 }
 
-// Bent blades, wider than real ones so that a pixel finds them.
+// Bent blades, wider than real ones so that they cover pixels.
 Original grass(Draws& draw) {
     Part blades{varied({0.13f, 0.14f, 0.045f}, draw(0.75, 1.25)), false, {}, {}};
     for (int i = 0; i < 24; ++i) {
@@ -168,7 +168,7 @@ Original grass(Draws& draw) {
     return {{blades}};
 }
 
-// Stone: a lump cut flat by a few planes, as joints cut it.
+// A stone: a lump cut by a few planes, as joints cut rock.
 Original rock(Draws& draw, double angular) {
     Part stone{varied({0.19f, 0.175f, 0.155f}, draw(0.75, 1.2)), false, {}, {}};
     add_lump(stone, {0, 0, 0}, {draw(0.6, 0.95), draw(0.5, 0.8), draw(0.4, 0.6)}, 3, 0.07,

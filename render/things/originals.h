@@ -9,31 +9,31 @@
 
 namespace cydonia::render {
 
-// What a thing is a copy of: triangles one metre high over the origin, z up, in two
-// materials (wood and leaf, or stone alone), linear Rec.709 albedo.
+// The model that things are copies of: triangles, one metre high above the origin, z up.
+// It has a part for each material (wood and leaf, or stone), with linear Rec.709 albedo.
 struct Original {
     struct Part {
         Rgb albedo;
-        bool smooth = false;  // shaded as if round
+        bool smooth = false;  // shaded with interpolated normals
         std::vector<std::array<float, 3>> vertices;
         std::vector<std::array<std::uint32_t, 3>> triangles;
     };
     std::vector<Part> parts;
 };
 
-// The normals of a part's corners, by the faces around them.
+// The normals at a part's corners, from the faces around them.
 std::vector<std::array<float, 3>> normals_of(const Original::Part& part);
 
-// So many different ones of each kind.
+// The number of different originals of each kind.
 inline constexpr int kOriginals = 4;
 Original original_of(ThingOptions::Kind kind, int number);
 
-// What a kind is where a scene says nothing else.
+// The numbers of a kind that a scene does not set.
 struct Habit {
-    double density;               // a hectare
+    double density;               // things a hectare
     std::array<double, 2> size;   // metres
     std::array<double, 2> slope;  // radians
-    double sunk;                  // share of its height below the ground
+    double sunk;                  // share of its height that is below the ground
 };
 const Habit& habit_of(ThingOptions::Kind kind);
 

@@ -19,10 +19,11 @@ namespace cydonia::render {
 namespace {
 
 constexpr double kMostSquares = 32e6;  // of the lattice, for a kind and frame
-constexpr double kLeastPixels = 1.0;   // a thing lower than that is not worth its memory
-constexpr double kGroup = 12.0;        // mean distances from one group to the next
-constexpr double kTreeLine = 0.12;     // of the relief, in which things thin out
-constexpr double kBehind = 12.0;  // heights: so far out of view a shadow may come from
+constexpr double kLeastPixels = 1.0;   // things lower than this in the frame are left out
+constexpr double kGroup = 12.0;  // distance between groups, in mean distances of things
+constexpr double kTreeLine = 0.12;  // share of the relief over which things become rarer
+constexpr double kBehind =
+    12.0;  // shadows may enter the frame from this many heights outside
 
 // Where on the land a kind stands, and how tall.
 class Suitability {
@@ -53,7 +54,7 @@ class Suitability {
         if (options.map) map_ = read_grey(*options.map);
     }
 
-    // In cells; the share of all places that are taken there.
+    // The share of the lattice that is taken at a point, in cells.
     double at(double x, double y, double height) const {
         if (shows_image(x, y)) return 0.0;
         double share =
@@ -74,7 +75,7 @@ class Suitability {
                            0.5 * gradient_noise(3.1 * e, 3.1 * n, mix(seed_)));
         return share * (1.0 - options_.clumping + options_.clumping * grouped);
     }
-    // Of its full height: small towards the tree line.
+    // The share of its full height that a thing has: less towards the tree line.
     double growth(double height) const {
         return to_ ? 1.0 - 0.65 * smoothstep(*to_ - band_, *to_, height) : 1.0;
     }
@@ -115,7 +116,7 @@ class Suitability {
     Field<float> map_;
 };
 
-// Whether a place is in a camera's frame, or so near that its shadow may be.
+// Tells whether a thing is in a camera's frame, or so near that its shadow may be.
 class Frame {
   public:
     explicit Frame(const Camera& camera)
@@ -124,7 +125,7 @@ class Frame {
           pixel_(pixel_side(camera)),
           half_(0.5 * camera.width * pixel_),
           aspect_(aspect(camera)) {}
-    // Beyond this a thing of `height` is lower than a pixel.
+    // The distance beyond which a thing of `height` is lower than a pixel.
     double reach(double height) const {
         if (perspective_) return height / (kLeastPixels * pixel_);
         const double diagonal = std::hypot(1.0, 1.0 / aspect_) * half_;
@@ -152,7 +153,7 @@ class Frame {
 
 struct Candidate {
     Thing thing;
-    double rank;  // the lowest stay
+    double rank;  // those with the lowest rank are kept
 };
 
 void keep_first(std::vector<Candidate>& all, std::size_t most) {

@@ -20,10 +20,10 @@ struct Thing {
     std::uint8_t original = 0;
 };
 
-// Things of one kind that a camera sees, or that may cast their shadows into its frame:
-// at most `most`, nearest and largest first to stay. Where each stands is a hash of its
-// place and of `number`, the kind's place in the scene, so that a moving camera finds the
-// same ones. None under water, nor below `flood`.
+// The things of one kind that a camera sees or that may cast shadows into its frame, at
+// most `most`; the nearest and largest are kept. Their positions are hashes of the
+// lattice square and of `number`, the kind's index in the scene, so that a moving camera
+// sees the same things. None stands under water, including `flood`.
 std::vector<Thing> things_in_view(const Terrain& terrain, const ThingOptions& options,
                                   int number, const Camera& camera, std::size_t most,
                                   const std::optional<WaterOptions>& flood = {});

@@ -9,9 +9,9 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr int kAround = 5;       // cells each way
-constexpr float kMost = 1.7f;    // times stronger
-constexpr float kLevel = 1e-3f;  // metres: of level land nothing is known
+constexpr int kRoughnessRadius = 5;  // radius, cells
+constexpr float kMost = 1.7f;        // largest gain
+constexpr float kLevel = 1e-3f;  // metres: least roughness that an example counts with
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Field<float> roughness_of(const Field<float>& land, Filter filter) {
     const Field<float>& coarse = levels[0].coarse;
     const Field<float> rest = subdivided(Field<float>(coarse.width(), coarse.height()),
                                          levels[0].details, filter);
-    const Field<float> strength = strength_of(rest, kAround);
+    const Field<float> strength = strength_of(rest, kRoughnessRadius);
     Field<float> result(land.width(), land.height());
     for (int y = 0; y < land.height(); ++y)
         std::copy_n(strength.row(y).begin(), land.width(), result.row(y).begin());
@@ -37,7 +37,7 @@ Field<float> gain_of(int width, int height, const Window& window, const Blocks& 
     const int cell = 1 << finer;
     for (int y = 0; y < gain.height(); ++y)
         for (int x = 0; x < gain.width(); ++x) {
-            // A cell's middle among the blocks' cells.
+            // The centre of a cell among the blocks' cells.
             const int i = std::min(window.x + x * cell + cell / 2, blocks.width - 1),
                       j = std::min(window.y + y * cell + cell / 2, blocks.height - 1);
             const Match& match = matches[std::size_t(blocks.at(i, j))];

@@ -34,7 +34,7 @@ class Hash {
     std::uint64_t state_ = 0;
 };
 
-// What all passes depend on.
+// A hash of everything that all passes depend on.
 std::uint64_t key_of_ground(const Ground& ground, const Halting& halting) {
     Hash hash;
     const Graph& graph = ground.graph;
@@ -95,7 +95,7 @@ std::uint64_t PassMemory::key_of(int feature) const {
     return hash.result();
 }
 
-// The sides that the feature's own strokes give the nodes beside them.
+// The sides that the feature's own strokes give to the nodes beside them.
 std::vector<std::uint8_t> PassMemory::own_sides(int feature) const {
     constexpr std::uint8_t kNone = 2;
     const Graph& graph = ground_.graph;

@@ -15,11 +15,14 @@ namespace {
 
 using texture::Model;
 
-constexpr int kShortest = 4;  // cells of a sample that genes are taken from
+// Cells: shortest side of a sample from which genes are taken.
+constexpr int kShortestSample = 4;
 constexpr std::uint64_t kMostCells = 1u << 27;
-// Models that are coarser than a level by less are resampled, not read smaller.
+// Models that are coarser than a level by less than this factor are resampled; others are
+// read smaller.
 constexpr double kNearlyAsFine = 1.34;
-constexpr double kLeastFall = 0.2, kMostFall = 0.5;  // of detail, from level to level
+constexpr double kLeastFall = 0.2,
+                 kMostFall = 0.5;  // of roughness, from one level to the next
 
 Field<double> summed(const Field<float>& heights) {
     Field<double> sums(heights.width() + 1, heights.height() + 1);
@@ -55,15 +58,16 @@ Model model_of(const Example& example, Progress& progress) {
     Model model = texture::model_of(exemplar_of(example), progress);
     const Field<float>& heights = model.terrain.heights;
     const std::string name = example.source.name();
-    if (std::min(heights.width(), heights.height()) < kShortest)
+    if (std::min(heights.width(), heights.height()) < kShortestSample)
         throw bad_request(
             "{}: its window holds {} x {} cells of {:.4g} m; at least {} x {} are needed",
-            name, heights.width(), heights.height(), model.terrain.spacing, kShortest,
-            kShortest);
+            name, heights.width(), heights.height(), model.terrain.spacing,
+            kShortestSample, kShortestSample);
     const auto [low, high] = std::ranges::minmax(heights);
     if (!(double(high) - low < 1e6))
-        throw bad_request("{}: its heights go from {:g} to {:g} m, which is no land",
-                          name, low, high);
+        throw bad_request(
+            "{}: its heights go from {:g} to {:g} m, which no land does: check its unit",
+            name, low, high);
     return model;
 }
 
@@ -91,7 +95,8 @@ Field<std::uint8_t> coarser_voids(const Field<std::uint8_t>& fine, int ratio) {
     return result;
 }
 
-// One example on all levels, the coarsest first; null where it has too few cells.
+// One example on all levels, the coarsest first; null at levels where it has too few
+// cells.
 std::vector<Sample> levels_of(const std::string& name, Model model, int type, int example,
                               double spacing, int ratio, int levels) {
     std::vector<Sample> result(static_cast<std::size_t>(levels),
@@ -105,10 +110,11 @@ std::vector<Sample> levels_of(const std::string& name, Model model, int type, in
         model = texture::resampled(model, own);
     const Field<float>& all = model.terrain.heights;
 
-    // Cells of all levels nest, so that land keeps its place from level to level.
+    // The cells of all levels are nested, so that land keeps its position from level to
+    // level.
     int step = 1;
-    for (int level = finest;
-         level > 0 && std::min(all.width(), all.height()) >= step * ratio * kShortest;
+    for (int level = finest; level > 0 && std::min(all.width(), all.height()) >=
+                                              step * ratio * kShortestSample;
          --level)
         step *= ratio;
     const int w = all.width() / step * step, h = all.height() / step * step;
@@ -119,7 +125,7 @@ std::vector<Sample> levels_of(const std::string& name, Model model, int type, in
     Field<std::uint8_t> voids =
         model.voids.empty() ? Field<std::uint8_t>() : part(model.voids, x, y, w, h);
     for (int level = finest; level >= 0; --level) {
-        if (std::min(heights.width(), heights.height()) < kShortest) break;
+        if (std::min(heights.width(), heights.height()) < kShortestSample) break;
         auto land = std::make_shared<SampleLand>();
         Field<float> coarse = coarser(heights, ratio);
         if (level > 0) {

@@ -11,11 +11,14 @@
 #include "synth/texture/database/database.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-constexpr double kMostCells = 1 << 24;  // of a level, and pixels of the painting
+constexpr double kMostTypeCells = 1 << 24;  // of a level; also pixels of the painting
 
-// A picture's types, kNoType where it is not painted, on a grid it is stretched over.
+// The types of a picture that is stretched over a grid; kNoType where nothing is painted.
 Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& types,
                              int width, int height) {
     std::vector<std::array<std::uint8_t, 3>> palette;
@@ -33,8 +36,9 @@ Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& typ
     return result;
 }
 
-// Unions of `factor` by `factor` cells. A cell of any type asks for nothing and is left
-// out, else a thin band would be lost on coarse levels (notes.md, Gain 2015, 5).
+// The unions of `factor` by `factor` cells. A cell of any type asks for nothing and is
+// left out; otherwise a thin band would vanish on coarse levels (docs/papers.md, Gain
+// 2015, 5).
 Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int height) {
     Field<TypeSet> result(width, height, kAnyType);
     parallel_for(height, 16, [&](int y) {
@@ -50,7 +54,8 @@ Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int hei
     return result;
 }
 
-// R of a level, from a painting drawn finer than its cells while memory allows.
+// R of a level, from a painting that is drawn finer than the level's cells as far as
+// memory allows.
 Field<TypeSet> sets_of(const Options& options, const Ground& ground, int level) {
     const double cell = std::ldexp(ground.spacing, level);
     const double across = ground.width / cell, down = ground.depth / cell;
@@ -58,7 +63,7 @@ Field<TypeSet> sets_of(const Options& options, const Ground& ground, int level) 
         return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
     };
     int detail = 4;
-    while (detail > 1 && detail * detail * across * down > kMostCells) detail /= 2;
+    while (detail > 1 && detail * detail * across * down > kMostTypeCells) detail /= 2;
     const auto drawn = [&](double cells) {
         return std::clamp(static_cast<int>(std::lround(detail * cells)), 1,
                           detail * whole(cells));
@@ -78,7 +83,7 @@ TypeMap::TypeMap(const Options& options, const Ground& ground, int levels) {
     if (!options.paint || levels <= kFinestGuided) return;
     assert(options.types.size() <= kMostTypes);
     const double cells = ground.width / ground.spacing * ground.depth / ground.spacing;
-    while (std::ldexp(cells, -2 * finest_) > kMostCells) ++finest_;
+    while (std::ldexp(cells, -2 * finest_) > kMostTypeCells) ++finest_;
     levels_.push_back(sets_of(options, ground, finest_));
     for (int level = finest_ + 1; level < levels; ++level) {
         const Field<TypeSet>& finer = levels_.back();
