@@ -17,14 +17,14 @@ namespace {
 constexpr int kBarWidth = 16;
 constexpr double kBarEvery = 0.1;    // seconds between redraws
 constexpr double kLineEvery = 10.0;  // seconds between lines in a log
-constexpr double kNoticed = 0.05;    // seconds; shorter steps leave no line
+constexpr double kNoticed = 0.05;    // seconds; shorter steps print no line
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
         .count();
 }
 
-// Too early to tell below 2%.
+// Empty below 2%, where the estimate would be wrong by far.
 std::string time_left(double fraction, double elapsed) {
     if (fraction < 0.02) return "";
     return ", " + duration_text(elapsed * (1.0 - fraction) / fraction) + " left";

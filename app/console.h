@@ -9,8 +9,8 @@
 
 namespace cydonia {
 
-// The program's one Progress sink, on standard error: a bar with the time left on a
-// terminal, plain lines in a log, nothing when quiet. Reports may come from any thread.
+// The program's only Progress sink. It writes to standard error: a bar with the time left
+// on a terminal, plain lines in a log, nothing when quiet. Any thread may report.
 class Console final : public Progress {
   public:
     enum class Style { kBar, kLines, kQuiet };
@@ -36,14 +36,14 @@ class Console final : public Progress {
 
     const Style style_;
     std::mutex mutex_;
-    std::string name_;    // of the step under way, empty between steps
-    std::string figure_;  // of its work so far
+    std::string name_;    // of the running step; empty between steps
+    std::string figure_;  // the last one the step reported
     Clock::time_point begun_;
-    std::atomic<Clock::rep> next_{0};  // when the next report is worth showing
+    std::atomic<Clock::rep> next_{0};  // when to draw again
     bool bar_drawn_ = false;
 };
 
-// A bar on a terminal, lines elsewhere.
+// kBar on a terminal, kLines elsewhere.
 Console::Style style_for_stderr(bool quiet);
 
 // "0.42 s", "1 min 12 s", "3 h 05 min".

@@ -72,12 +72,12 @@ std::string image_text(const fs::path& file, const OIIO::ImageSpec& spec) {
     return text;
 }
 
-// "iou 0.931, precision 0.96" of a step's figures, however deep.
+// "iou 0.931, precision 0.96": all figures of a step, nested ones too.
 std::string figures_text(const Json& figures) {
     if (!figures.is_structured()) return figures.dump();
     std::string text;
     for (const auto& [name, value] : figures.items()) {
-        if (name == "suns") continue;  // ten of an image: the manifest has them
+        if (name == "suns") continue;  // ten for each image; read them in the manifest
         if (!text.empty()) text += ", ";
         text +=
             figures.is_object() ? name + " " + figures_text(value) : figures_text(value);
@@ -109,7 +109,7 @@ std::string manifest_text(const fs::path& file) try {
     throw bad_request("{}: not a manifest of Cydonia", file.string());
 }
 
-// ", curves.svg, package:jacksboro": each file once, however often it is named.
+// ", curves.svg, package:jacksboro": each file once, even if several keys name it.
 std::string files_text(const std::vector<Source>& sources) {
     std::string text;
     std::set<fs::path> named;
@@ -121,7 +121,7 @@ std::string files_text(const std::vector<Source>& sources) {
     return text;
 }
 
-// One channel is heights, as terrain.exr; an image has colours.
+// A file with one channel, such as terrain.exr, holds heights; an image has colours.
 bool holds_heights(const fs::path& file, const OIIO::ImageSpec& spec) {
     const bool elevation_format = file.extension() == ".exr" ||
                                   file.extension() == ".tif" ||
@@ -159,7 +159,7 @@ std::string description(const fs::path& file) {
     if (const auto image = OIIO::ImageInput::open(file.string())) {
         if (!holds_heights(file, image->spec())) return image_text(file, image->spec());
     }
-    OIIO::geterror();  // not an image is no error: GDAL reads many more formats
+    OIIO::geterror();  // OIIO could not read it, but GDAL may
     return heights_text(file);
 }
 

@@ -6,11 +6,11 @@
 
 namespace cydonia {
 
-// What a scene asks for, in a few lines.
+// A summary of a scene in a few lines.
 std::string description(const config::SceneSpec& spec);
 
-// What a file holds: a scene, heights, an image or a manifest. Throws bad_request for
-// anything else.
+// A summary of a file, which is a scene, heights, an image or a manifest. Throws
+// bad_request for any other.
 std::string description(const std::filesystem::path& file);
 
 }  // namespace cydonia

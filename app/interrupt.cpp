@@ -1,5 +1,6 @@
 #include "app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <initializer_list>
@@ -7,7 +8,9 @@
 namespace cydonia {
 namespace {
 
-volatile std::sig_atomic_t g_signal = 0;
+// Written by the signal handler and read by every thread that reports progress.
+std::atomic<int> g_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not lock");
 
 void remember(int signal) { g_signal = signal; }
 
@@ -17,11 +20,11 @@ void catch_interrupts() {
     for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
         struct sigaction action = {};
         action.sa_handler = remember;
-        // After the first Ctrl-C the next one has its usual effect. A broken pipe comes
-        // once for every line we try to write, so that one stays caught.
+        // After the first Ctrl-C the next one has its usual effect. SIGPIPE comes with
+        // every line that we try to write, so it stays caught.
         action.sa_flags = SA_RESTART;
         if (signal != SIGPIPE) action.sa_flags |= static_cast<int>(SA_RESETHAND);
-        // A signal that our caller chose to ignore (nohup) stays ignored.
+        // A signal that the caller ignores (nohup) stays ignored.
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);

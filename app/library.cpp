@@ -30,7 +30,7 @@ struct Level {
     Library library;
 };
 
-// What a type with few examples cannot tell.
+// Warns of types with too few examples.
 void say_few(const genetic::TypeOptions& type, const std::vector<Level>& levels,
              Console& console) {
     std::size_t most = 0;
@@ -38,14 +38,16 @@ void say_few(const genetic::TypeOptions& type, const std::vector<Level>& levels,
         for (const statistics::Type& own : level.library.types())
             if (own.name == type.name) most = std::max(most, own.examples.size());
     if (type.examples.empty())
-        console.warn(fmt::format("'{}' has no examples: nothing is like it", type.name));
+        console.warn(
+            fmt::format("'{}' has no examples, so no land is similar to it", type.name));
     else if (most == 0)
-        console.warn(fmt::format(
-            "'{}' has no example that is fine and large enough at any level", type.name));
+        console.warn(
+            fmt::format("'{}' has no example that is fine and large enough for any level",
+                        type.name));
     else if (most == 1)
         console.note(fmt::format(
-            "'{}' has one example, which cannot tell how far others differ from it: as "
-            "far as those of other types",
+            "'{}' has one example, which does not show how much examples of it differ; "
+            "they are taken to differ as much as those of other types",
             type.name));
 }
 
@@ -73,21 +75,21 @@ std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& an
     for (const auto& type : options.types) say_few(type, levels, console);
     if (levels.empty())
         throw bad_request(
-            "{}: no example is fine and large enough at any level ({} samples a side)",
+            "{}: no example is fine and large enough for any level ({} samples a side)",
             options.name, kFewestSamples);
     return levels;
 }
 
-constexpr std::size_t kLongestName = 48, kColumns = 9;  // that 80 characters hold
+constexpr std::size_t kLongestName = 48, kColumns = 9;  // that fit into 80 characters
 
-// At most so many bytes of a name, whole characters.
+// Cuts a name to a number of bytes, between characters.
 std::string shortened(const std::string& name) {
     std::size_t end = std::min(kLongestName, name.size());
     while (end < name.size() && end > 0 && (name[end] & 0xc0) == 0x80) --end;
     return name.substr(0, end);
 }
 
-// The types with their numbers; a line of each says `rest`.
+// One line for each type: its number, its name and `rest`.
 void print_types_of(const Level& level, std::string_view head,
                     const std::function<std::string(std::size_t)>& rest) {
     const std::vector<statistics::Type>& types = level.library.types();
@@ -100,7 +102,7 @@ void print_types_of(const Level& level, std::string_view head,
                    rest(t));
 }
 
-// A row a quantity, a column a type, by their numbers; the next types below.
+// A table with a row for each quantity and a column for each type, in blocks of columns.
 void print_quantities(const Library& library,
                       const std::function<double(std::size_t, Quantity)>& value) {
     const std::size_t count = library.types().size();
@@ -118,7 +120,7 @@ void print_quantities(const Library& library,
     }
 }
 
-// Where its plots and analyses go.
+// Where plots and analyses go.
 fs::path folder_of(const LibraryRequest& request) {
     return request.output.empty() ? fs::path("out") / request.library.stem()
                                   : request.output;
@@ -143,7 +145,7 @@ void plot(const LibraryRequest& request, const Level& level, const std::string& 
                             request.land.filename().string(), land));
 }
 
-// Of the land, at the levels that it and the library have.
+// Analyses of the land at the levels that it and the library have.
 std::vector<std::pair<Level, Analysis>> analysed(const LibraryRequest& request,
                                                  const std::vector<Level>& levels,
                                                  Analyst& analyst) {
@@ -154,13 +156,13 @@ std::vector<std::pair<Level, Analysis>> analysed(const LibraryRequest& request,
             all.emplace_back(level, *analysis);
     if (all.empty())
         throw bad_request(
-            "{}: at none of the library's levels is it fine and large enough ({} samples "
+            "{}: is not fine and large enough for any level of the library ({} samples "
             "a side)",
             request.land.string(), kFewestSamples);
     return all;
 }
 
-// The coarsest level at which the land has many windows; else its finest.
+// The coarsest level at which the land has many windows; if there is none, its finest.
 double segmented_level(const std::vector<std::pair<Level, Analysis>>& levels,
                        std::size_t enough = 256 * 256) {
     for (const auto& [level, land] : levels)
@@ -168,7 +170,7 @@ double segmented_level(const std::vector<std::pair<Level, Analysis>>& levels,
     return levels.back().first.spacing;
 }
 
-// What types the land is made of, on a map.
+// Maps the types that the land is made of.
 void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions& options,
                     double spacing, Analyst& analyst, Console& console) {
     std::vector<statistics::Type> types;
@@ -188,7 +190,7 @@ void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions
         folder_of(request) / (request.land.stem().string() + "-types.png");
     write_type_picture(file, library, map);
     if (print_types(library, map, request.land))
-        console.warn(fmt::format("{} is of several types; the map is {}",
+        console.warn(fmt::format("{} has several types; the map of them is {}",
                                  request.land.string(), file.string()));
 }
 
@@ -219,8 +221,10 @@ void analyse_library(const LibraryRequest& request, Console& console) {
             });
         }
         fmt::print(
-            "How like their own type its examples are at least, and how like another at\n"
-            "most; of each quantity how far they agree. All from 0 to 1.\n");
+            "own: the least similarity of its examples to their type; other: the most "
+            "to\n"
+            "another type. Below, how far they agree in each quantity. All from 0 to "
+            "1.\n");
     });
 }
 

@@ -6,7 +6,7 @@
 
 namespace cydonia {
 
-// What the command line asks of a terrain library.
+// What the command line asks about a terrain library.
 struct LibraryRequest {
     std::filesystem::path library;
     std::filesystem::path land;    // an elevation model; empty: the library itself
@@ -15,13 +15,14 @@ struct LibraryRequest {
     bool quiet = false;
 };
 
-// Print tables, and keep analyses so that the next time takes a moment.
+// These print tables. They keep the analyses, so that the next call takes a moment.
+
 // How well each type's examples agree, and whether each is most like its own type.
 void analyse_library(const LibraryRequest& request, Console& console);
-// How like each type a land is, quantity by quantity.
+// How similar a land is to each type, quantity by quantity.
 void compare_with_library(const LibraryRequest& request, Console& console);
-// Which type it fits best, and what adding it to that would do to the agreement; which
-// types it is made of, on a map in the output folder.
+// Which type a land fits best, and how adding it to that type would change the agreement
+// of the type's examples. Writes a map of the types in it into the output folder.
 void classify_by_library(const LibraryRequest& request, Console& console);
 
 }  // namespace cydonia

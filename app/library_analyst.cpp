@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/pipeline/cache.h"
+#include "app/pipeline/key.h"
 #include "app/pipeline/output_folder.h"
 #include "field/dem.h"
 #include "field/files.h"
@@ -22,8 +22,9 @@ using statistics::Analysis;
 using Json = nlohmann::json;
 using Mask = Field<std::uint8_t>;
 
-constexpr double kFinest = 0.75;  // of a model's spacing: a level that it still has
-constexpr int kTrimmed = 30;      // samples about voids
+constexpr double kFinest =
+    0.75;  // of a model's spacing: the finest level it can be analysed at
+constexpr int kTrimmed = 30;  // samples left out around voids
 
 Json json_of(const Analysis& analysis) {
     Json all = Json::array();
@@ -43,7 +44,7 @@ Analysis analysis_from(const Json& all) {
     return analysis;
 }
 
-// What the file's JSON says to `read`; nothing for what is missing or damaged.
+// What `read` makes of the file's JSON; none if the file is missing or damaged.
 template <class Read>
 auto kept(const fs::path& file, const Read& read)
     -> std::optional<decltype(read(std::declval<const Json&>()))> {
@@ -110,13 +111,11 @@ Analyst::Analyst(fs::path folder, Console& console)
 }
 
 fs::path Analyst::file_of(const char* what, const Example& example, double level) const {
-    const auto& w = example.window;
-    return folder_ / fmt::format("{:016x}.json",
-                                 hash_text(fmt::format(
-                                     "{} {} {:016x} {} {} {} {} {} {} {} {}", what,
-                                     statistics::kAnalysisVersion, example.source.hash,
-                                     w[0], w[1], w[2], w[3], level, example.scale,
-                                     example.vertical_scale, example.raise)));
+    KeyBuilder key(what);
+    key.add(statistics::kAnalysisVersion).add(example.source.hash);
+    for (const auto side : example.window) key.add(side);
+    key.add(level).add(example.scale).add(example.vertical_scale).add(example.raise);
+    return folder_ / (hex(key.key()) + ".json");
 }
 
 const Analyst::Model& Analyst::model_of(const Source& source) {
@@ -176,7 +175,7 @@ void Analyst::say_left_out(const Example& example, double voids, double water,
 
 std::optional<Analysis> Analyst::operator()(const Example& example, double level) {
     struct Kept {
-        Analysis analysis{};  // empty where there is none: kept too
+        Analysis analysis{};  // an empty one is kept too
         double voids = 0.0, water = 0.0;
     };
     const fs::path file = file_of("analysis", example, level);

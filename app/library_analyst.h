@@ -14,32 +14,32 @@
 
 namespace cydonia {
 
-inline constexpr int kFewestSamples = 48;  // a side, that tell what land is like
+inline constexpr int kFewestSamples = 48;  // a side; fewer do not characterise land
 
-// An elevation model, or its window, at a level of detail: what of it is land, and what
-// is left out of analyses.
+// An elevation model, or a window of it, at one level of detail, and which of its samples
+// are left out of analyses.
 struct Studied {
     Terrain terrain;
-    // 1 or empty; voids with 30 of the model's samples about them, whose heights are
-    // guesses (Saunders 2006, section VI.2.2).
+    // 1 in voids and within 30 of the model's samples of one, where heights are guesses
+    // (Saunders 2006, section VI.2.2); may be empty.
     Field<std::uint8_t> voids;
     Field<std::uint8_t> water;
-    Field<std::uint8_t> inside() const;  // neither; empty: all
+    Field<std::uint8_t> inside() const;  // 1 where neither; empty: everywhere
 };
 
-// Analyses of elevation models, made once and kept in a folder.
+// Makes analyses of elevation models and keeps them in a folder.
 class Analyst {
   public:
     Analyst(std::filesystem::path folder, Console& console);
 
-    // None where the model is too coarse or too small for the level, or too little of it
-    // is land. What is left out is said, once for each example.
+    // None if the model is too coarse or too small for the level, or has too little land.
+    // Notes what is left out, once for each example.
     std::optional<statistics::Analysis> operator()(const genetic::Example& example,
                                                    double level);
-    // Of windows spread over it; none where there is no analysis.
+    // Of windows spread over the model; empty if there is no analysis.
     std::vector<statistics::Analysis> windows(const genetic::Example& example,
                                               double level);
-    // None where the model is too coarse or too small.
+    // None if the model is too coarse or too small.
     std::optional<Studied> studied(const genetic::Example& example, double level);
 
   private:
@@ -52,7 +52,7 @@ class Analyst {
 
     std::filesystem::path folder_;
     Console& console_;
-    std::shared_ptr<Model> model_;  // the last one
+    std::shared_ptr<Model> model_;  // the last one read
     std::set<std::string> said_;
 };
 

@@ -46,7 +46,7 @@ struct Row {
     std::vector<Statistics> examples;
 };
 
-// 1, 2 or 5 times a power of ten, so that there are about so many in a span.
+// The distance of ticks: 1, 2 or 5 times a power of ten, for about that many in a span.
 double nice_step(double span, int about) {
     const double rough = span / about,
                  power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -86,7 +86,7 @@ std::string panel(const std::vector<Row>& rows, int quantity, double top) {
         for (std::size_t e = 0; e < row.examples.size(); ++e) {
             const Statistics& s = row.examples[e];
             if (s.count == 0) continue;
-            // One above the other, all within the row.
+            // Examples are spread over the height of the row.
             const double at =
                 y +
                 (row.examples.size() < 2

@@ -6,9 +6,9 @@
 
 namespace cydonia {
 
-// A drawing (SVG) of a library at one level of detail: for each quantity a row a type,
-// and in it of every example the mean and, left and right of it, the standard deviation.
-// With a land, it is the row below all types.
+// An SVG plot of a library at one level of detail. Each quantity has a row for each type,
+// which shows every example's mean with one standard deviation to each side. `land`, if
+// given, is the last row.
 std::string library_plot(const statistics::Library& library, double level,
                          const std::string& land_name = {},
                          const statistics::Analysis* land = nullptr);

@@ -12,10 +12,10 @@
 namespace cydonia {
 namespace {
 
-constexpr double kMixed = 0.15;  // of land, of the second type
+constexpr double kMixed = 0.15;  // share of the second type that makes a land mixed
 constexpr Rgb8 kWater = {24, 44, 84}, kVoid = {0, 0, 0}, kNone = {150, 150, 150};
 
-// A window of the model, in shares, all of it within the rectangle.
+// A rectangle of samples as a window in shares of the model, rounded inwards.
 std::string window_text(const statistics::Rectangle& r, int width, int height) {
     const auto up = [](double share) {
         return std::max(0.0, std::ceil(share * 1000.0 - 1e-6)) / 1000.0;

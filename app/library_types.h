@@ -7,23 +7,23 @@
 
 namespace cydonia {
 
-// A land cut into a library's types.
+// A land divided into the types of a library.
 struct TypeMap {
-    // A type's index in the library, at each sample of the level; water and voids have
-    // those of the land about them, kNoType amid large ones.
+    // The index of a type in the library for each sample of the level. Water and voids
+    // take that of the land around them; far inside large ones it is kNoType.
     Field<int> types;
     Studied land;
-    std::vector<double> shares;  // of land, a type
+    std::vector<double> shares;  // of each type in the land
 };
-// `library`: of windows.
+// `library` holds analyses of windows.
 TypeMap type_map(const statistics::Library& library, Studied land);
 
-// The types' colours over shaded relief; water is dark blue, voids are black.
+// Shaded relief in the types' colours; water is dark blue, voids are black.
 void write_type_picture(const std::filesystem::path& file,
                         const statistics::Library& library, const TypeMap& map);
 
-// Each type's share and colour; of a land of several types the windows that are of one,
-// as a library's TOML file has them. Whether it is mixed.
+// Prints each type's share and colour. If the land is mixed, also prints the windows that
+// hold a single type, as lines of a library's TOML file. Returns whether it is mixed.
 bool print_types(const statistics::Library& library, const TypeMap& map,
                  const std::filesystem::path& land);
 

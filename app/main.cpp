@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <string>
 
 #include "app/commands/commands.h"
 #include "app/interrupt.h"
@@ -21,40 +22,33 @@ void describe(CLI::App& app) {
     app.description("Cydonia turns a scene file into film frames of a landscape.");
     app.set_version_flag("--version", "cydonia " CYDONIA_VERSION, "print the version");
     app.set_help_flag("-h,--help", "print this help");
-    app.footer(
-        "Also: emit frame-for-sketch gallery info library reproduce schema validate\n"
-        "Example:\n  cydonia render scenes/text/scene.toml --quality draft\n");
     app.require_subcommand(0, 1);
     format_plainly(app);
 }
 
+using Add = void (*)(CLI::App&, Action&);
+
 void add_commands(CLI::App& app, Action& action) {
-    add_new(app, action);
-    add_render(app, action);
-    add_sequences(app, action);
-    add_farm(app, action);
-    add_watch(app, action);
-    add_synth(app, action);
-    add_check(app, action);
-    add_report(app, action);
-    add_emit(app, action);
-    add_export(app, action);
-    add_frame_for_sketch(app, action);
-    add_library(app, action);
-    add_reproduce(app, action);
-    add_gallery(app, action);
-    add_validate(app, action);
-    add_schema(app, action);
-    add_info(app, action);
-    // The overview fits a screen without what few look for there.
-    for (const char* name : {"emit", "frame-for-sketch", "gallery", "info", "library",
-                             "reproduce", "schema", "validate"})
-        app.get_subcommand(name)->group("");
+    std::string also;
+    const auto shown = [&](Add add) { add(app, action); };
+    const auto not_shown = [&](Add add) {
+        add(app, action);
+        CLI::App* command = app.get_subcommands({}).back();
+        command->group("");
+        also += " " + command->get_name();
+    };
+#define CYDONIA_SHOWN(add) shown(add);
+#define CYDONIA_ALSO(add) not_shown(add);
+    CYDONIA_SUBCOMMANDS(CYDONIA_SHOWN, CYDONIA_ALSO)
+#undef CYDONIA_SHOWN
+#undef CYDONIA_ALSO
+    app.footer("Also:" + also +
+               "\nExample:\n  cydonia render scenes/text/scene.toml --quality draft\n");
 }
 
 int exit_code(ExitCode code) { return static_cast<int>(code); }
 
-// One line that ends with where to look, for a command line that is wrong.
+// Prints one line about a wrong command line, ending with where help is.
 int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     const std::string command =
@@ -68,7 +62,7 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     return exit_code(ExitCode::kBadRequest);
 }
 
-// Names come from files: their control characters must not steer the terminal.
+// Messages quote names from files, whose control characters must not reach the terminal.
 std::string printable(std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return (c < 32 && c != '\n') || c == 127; }, '?');

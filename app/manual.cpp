@@ -10,7 +10,7 @@
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kWidth = 96;  // of a commented line
+constexpr std::size_t kWidth = 96;  // columns, of a line with its comment
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream in(text);
@@ -26,7 +26,7 @@ std::string trimmed(const std::string& text) {
                : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
-// Of a row "| a | b |".
+// The cells of a row "| a | b |".
 std::vector<std::string> cells_of(const std::string& row) {
     std::vector<std::string> cells;
     std::istringstream in(row.substr(1));
@@ -34,7 +34,7 @@ std::vector<std::string> cells_of(const std::string& row) {
     return cells;
 }
 
-// Links are their texts, code is as it is.
+// Text without its links; code stays.
 std::string plain(std::string text) {
     static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
     text = std::regex_replace(text, link, "$1");
@@ -42,7 +42,7 @@ std::string plain(std::string text) {
     return text;
 }
 
-// The key that a line begins with; empty: it begins with none.
+// The key that a line begins with; empty if none.
 std::string key_of(const std::string& line) {
     std::size_t end = 0;
     while (end < line.size() &&
@@ -74,7 +74,7 @@ std::vector<std::string> inner_keys(const std::string& line) {
     return keys;
 }
 
-// As comment lines of at most kWidth.
+// The text as comment lines of at most kWidth columns.
 std::string above(const std::string& comment) {
     std::string text, line = "#";
     std::istringstream words(comment);
@@ -113,7 +113,7 @@ Manual::Manual(const std::string& markdown) {
             const auto cells = cells_of(line);
             if (cells.size() != kCells) continue;
             std::string meaning = plain(cells[kMeaning]);
-            // A choice of words, which says more with them.
+            // The unit lists the words that may be chosen.
             if (cells[kRange].starts_with('`'))
                 meaning = plain(cells[kRange]) + ": " + meaning;
             if (!cells[kUnit].empty()) meaning += " (" + plain(cells[kUnit]) + ")";

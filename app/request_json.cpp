@@ -9,7 +9,7 @@
 namespace cydonia {
 namespace {
 
-// The one of `all` that the file calls so.
+// The value of `all` with this name.
 template <class T>
 T named(const std::string& name, const std::vector<T>& all, const char* what) {
     for (const T& one : all)
@@ -50,9 +50,8 @@ ExportRequest export_of(const Json& json) {
 }  // namespace
 
 std::string_view name_of(Goal goal) {
-    constexpr std::string_view kNames[] = {"synth",  "check",     "report",
-                                           "assets", "emit",      "render",
-                                           "sweep",  "turntable", "film"};
+    constexpr std::string_view kNames[] = {"synth",  "check", "report",    "emit",
+                                           "render", "sweep", "turntable", "film"};
     return kNames[static_cast<int>(goal)];
 }
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/pipeline/job.h"
+#include "app/pipeline/frame.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/output_folder.h"
 #include "app/threads.h"
@@ -26,7 +26,7 @@ namespace {
 constexpr int kQuality = 88;  // of the JPEG to draw over
 constexpr int kPlan = 1280;   // pixels of the plan's longer side
 
-// A picture as the page, on a layer that takes no strokes, and an empty one above it.
+// An SVG with the picture on a locked layer and an empty layer above it.
 std::string drawing_over(const Field<Rgb8>& picture, const std::string& title,
                          const std::string& metadata) {
     const int w = picture.width(), h = picture.height();
@@ -56,13 +56,13 @@ bool has_strokes(const fs::path& file) {
     try {
         return !svg_paths(open_source(file), 1e-3).empty();
     } catch (const Error&) {
-        return true;  // somebody's, not ours
+        return true;  // a file that we did not write
     }
 }
 
 class Writer {
   public:
-    explicit Writer(Job& job) : job_(job), folder_(job.folder / "sketch") {}
+    explicit Writer(const Job& job) : job_(job), folder_(job.folder / "sketch") {}
 
     void refuse_to_overwrite(const std::string& name) const {
         const fs::path file = folder_ / (name + ".svg");
@@ -76,19 +76,19 @@ class Writer {
                const std::string& metadata) {
         make_folder(folder_);
         write_text(folder_ / (name + ".svg"),
-                   drawing_over(picture, fmt::format("{}, {}", job_.spec.title, name),
+                   drawing_over(picture, fmt::format("{}, {}", job_.spec->title, name),
                                 metadata));
         written_ += fmt::format("{}{}.svg", written_.empty() ? "" : ", ", name);
     }
     const std::string& written() const { return written_; }
 
   private:
-    Job& job_;
+    const Job& job_;
     fs::path folder_;
     std::string written_;
 };
 
-void write_all(Job& job, Console& console) {
+void write_all(const Job& job, Console& console) {
     constexpr const char* kPlanName = "plan";
     std::vector<render::CameraOptions> cameras = job.cameras();
     std::erase_if(cameras, [](const render::CameraOptions& camera) {
@@ -99,22 +99,20 @@ void write_all(Job& job, Console& console) {
     std::uint64_t pixels = 0;
     for (const render::CameraOptions& camera : cameras) {
         writer.refuse_to_overwrite(camera.name);
-        pixels = std::max(pixels,
-                          std::uint64_t(camera.size[0]) * std::uint64_t(camera.size[1]));
+        pixels = std::max(pixels, pixels_of(camera));
     }
     memory::refuse_unless_it_fits(memory::of_passes(job.drawn_cells(), pixels),
                                   memory::available());
 
-    // Before the drawn land, which takes its place.
-    const Field<Rgb8> plan = render::hillshade(job.land.finished(), kPlan);
+    const Field<Rgb8> plan = render::hillshade(*job.land.finished(), kPlan);
     console.step("frames to draw over");
     writer.write(kPlanName, plan, "");
     std::optional<render::PreviewLand> land;
     for (const render::CameraOptions& camera : cameras) {
-        const Terrain& terrain = job.land.drawn();
-        const render::Shot shot = shot_of(camera, job, job.spec, terrain);
-        if (!land) land.emplace(shot, terrain);
-        render::ColourOptions colour = job.spec.render.colour;
+        const auto drawn = job.land.drawn();
+        const render::Shot shot = shot_of(camera, *job.spec, job.request.quality, *drawn);
+        if (!land) land.emplace(shot, *drawn);
+        render::ColourOptions colour = job.spec->render.colour;
         colour.exposure += camera.exposure;
         writer.write(camera.name, render::picture_of(land->frame(shot), colour),
                      svg_camera_text(shot.camera));
@@ -128,9 +126,9 @@ void write_all(Job& job, Console& console) {
 
 void frame_for_sketch(const Request& request, Console& console) {
     with_threads(request.threads, [&] {
-        Job job(request, console);
+        const Job job(request, console);
         const OutputFolder claim(job.folder);
-        claim.belongs_to(job.spec.name);
+        claim.belongs_to(job.spec->name);
         write_all(job, console);
     });
 }

@@ -10,7 +10,7 @@ void with_threads(int threads, const std::function<void()>& work) {
     if (threads == 0) return work();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
-    // Image files are read and written by pools of their own.
+    // OpenImageIO and OpenEXR read and write files with thread pools of their own.
     OIIO::attribute("threads", threads);
     OIIO::attribute("exr_threads", threads);
     tbb::task_arena arena(threads);

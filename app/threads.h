@@ -4,11 +4,11 @@
 
 namespace cydonia {
 
-// Runs `work` on `threads` threads, also where that is more than the machine has; 0: as
-// many as it has.
+// Runs `work` on this many threads, even if the machine has fewer cores; 0: one for each
+// core.
 void with_threads(int threads, const std::function<void()>& work);
 
-// How many threads a program that we start may use.
+// How many threads the work may use, for programs that it starts.
 int thread_count();
 
 }  // namespace cydonia

@@ -25,13 +25,14 @@ namespace {
 
 constexpr std::chrono::milliseconds kEvery{100};
 
-// When every file that the scene is made of was written.
+// The files that the scene is made of, and when each was written.
 using Files = std::map<fs::path, fs::file_time_type>;
 
 Files read_times(Files files) {
     for (auto& [file, time] : files) {
         std::error_code none;
-        time = fs::last_write_time(file, none);  // the earliest of all where it is gone
+        time =
+            fs::last_write_time(file, none);  // the earliest possible time if it is gone
     }
     return files;
 }
@@ -55,7 +56,7 @@ std::vector<std::string> pictures_of(const config::SceneSpec& scene,
     return pictures;
 }
 
-// What the page asks for every half second.
+// Writes the state that the page reads every half second.
 void tell_page(const fs::path& folder, int drawn,
                const std::vector<std::string>& pictures, const std::string& error) {
     const nlohmann::json state = {

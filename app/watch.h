@@ -4,9 +4,9 @@
 
 namespace cydonia {
 
-// Draws the scene's preview again whenever its file or one that it names is saved, until
-// the user interrupts; <output>/watch.html shows it and reloads by itself. A scene that
-// is wrong is said, there and on the terminal, and waited for.
+// Draws the scene's preview again whenever its file, or a file that it names, is saved,
+// until the user interrupts. <output>/watch.html shows the preview and reloads by itself.
+// Mistakes in the scene are shown there and on the terminal; watching goes on.
 void watch(const Request& request);
 
 }  // namespace cydonia

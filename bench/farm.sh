@@ -31,7 +31,7 @@ $cydonia farm "${film[@]}" --chunk 2 --quiet -o "$work/farm"
 # Those that a task has recorded: POV-Ray may still be at work on a file that is there.
 traced() {
     local frame
-    for frame in $(grep -oh '"trace turntable-[0-9]*"' "$work"/farm/.cache/steps/*.json 2> /dev/null | tr -dc 'a-z0-9\n-' | sed 's/^trace//' | sort -u); do
+    for frame in $(grep -oh '"trace turntable-[0-9]*"' "$work"/farm/.cache/steps/*.jsonl 2> /dev/null | tr -dc 'a-z0-9\n-' | sed 's/^trace//' | sort -u); do
         stat --format='%n %y' "$work/farm/pov/$frame.exr"
     done
 }

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/pipeline/land.h"
+#include "app/pipeline/land_store.h"
 #include "config/reader/scene.h"
 #include "field/error.h"
 
@@ -19,12 +19,12 @@ using namespace cydonia;
 namespace {
 
 Terrain land_at(const char* scene, int samples) {
-    const auto spec =
-        config::Scene::load(scene, {fmt::format("terrain.samples={}", samples)}).at(0);
+    const auto spec = std::make_shared<const config::SceneSpec>(
+        config::Scene::load(scene, {fmt::format("terrain.samples={}", samples)}).at(0));
     SilentProgress progress;
     const auto cache = std::filesystem::temp_directory_path() / "cydonia_resolution";
     std::filesystem::create_directories(cache);
-    Terrain land = Land(spec, render::Quality::kDraft, cache, progress).finished();
+    Terrain land = *LandStore(spec, render::Quality::kDraft, cache, progress).finished();
     std::filesystem::remove_all(cache);
     return land;
 }

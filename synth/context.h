@@ -38,8 +38,8 @@ struct Memory {
 
 // What a stage may use besides its options and the terrain so far. app/ owns all of it.
 struct Context {
-    std::uint64_t seed =
-        0;  // of this stage: a hash of the scene's seed and the stage's number
+    // Of this stage: a hash of the scene's seed and the stage's number.
+    std::uint64_t seed = 0;
     // Casts hard shadows of a terrain under a sun with Embree. The result has `rays` x
     // `rays` samples a cell, so (rays * width) x (rays * height), and is 1 in shadow.
     std::function<Field<std::uint8_t>(const Terrain&, const Sun&, int rays)> cast;

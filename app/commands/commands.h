@@ -6,7 +6,7 @@
 #include "app/console.h"
 #include "app/request.h"
 
-// Its header takes seconds to compile: only what declares options includes it.
+// CLI11's header takes seconds to compile: only files that declare options include it.
 namespace CLI {
 class App;
 class Option;
@@ -14,27 +14,35 @@ class Option;
 
 namespace cydonia {
 
-// Every subcommand adds itself to the command line and, when it is the one asked for,
-// sets what main then does.
+// What main does after it has read the command line.
 using Action = std::function<void()>;
 
-void add_render(CLI::App& app, Action& action);
-void add_synth(CLI::App& app, Action& action);
-void add_check(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_emit(CLI::App& app, Action& action);
-void add_sequences(CLI::App& app, Action& action);  // sweep, turntable, film
-void add_farm(CLI::App& app, Action& action);
-void add_new(CLI::App& app, Action& action);
-void add_validate(CLI::App& app, Action& action);
-void add_watch(CLI::App& app, Action& action);
-void add_info(CLI::App& app, Action& action);
-void add_gallery(CLI::App& app, Action& action);
-void add_export(CLI::App& app, Action& action);
-void add_library(CLI::App& app, Action& action);
-void add_frame_for_sketch(CLI::App& app, Action& action);
-void add_reproduce(CLI::App& app, Action& action);
-void add_schema(CLI::App& app, Action& action);
+// Every subcommand, in the order of the overview. Each is a function in a file of this
+// folder, which adds the subcommand to the command line and, if the user asked for it,
+// sets the action. Those under ALSO are only named in the last line of the overview,
+// which has to fit a screen.
+#define CYDONIA_SUBCOMMANDS(SHOWN, ALSO) \
+    SHOWN(add_new)                       \
+    SHOWN(add_render)                    \
+    SHOWN(add_sequences)                 \
+    SHOWN(add_farm)                      \
+    SHOWN(add_watch)                     \
+    SHOWN(add_synth)                     \
+    SHOWN(add_check)                     \
+    SHOWN(add_report)                    \
+    SHOWN(add_export)                    \
+    ALSO(add_emit)                       \
+    ALSO(add_frame_for_sketch)           \
+    ALSO(add_gallery)                    \
+    ALSO(add_info)                       \
+    ALSO(add_library)                    \
+    ALSO(add_reproduce)                  \
+    ALSO(add_schema)                     \
+    ALSO(add_validate)
+
+#define CYDONIA_DECLARE(add) void add(CLI::App& app, Action& action);
+CYDONIA_SUBCOMMANDS(CYDONIA_DECLARE, CYDONIA_DECLARE)
+#undef CYDONIA_DECLARE
 
 struct Help {
     std::string name;
@@ -42,26 +50,26 @@ struct Help {
     std::string example;  // "render scene.toml"; every help ends with one
 };
 
-// A subcommand that makes something of a scene: SCENE and all shared options.
+// Adds a subcommand that makes something from a scene: SCENE and all shared options.
 void add_making_command(CLI::App& app, Action& action, const Help& help,
                         const std::function<void(const Request&, Console&)>& make);
 
-// The pieces of a subcommand: its help, SCENE with --set and --quiet, and the options
-// that making takes besides.
+// The parts of a subcommand: its help; SCENE with --set and --quiet; the options of
+// whatever makes files.
 CLI::App* add_command(CLI::App& app, const Help& help);
 CLI::Option* add_scene(CLI::App& command, Request& request);
 void add_making_options(CLI::App& command, Request& request);
-// --quality and --threads, which are two of them.
+// --quality and --threads, which are two of these.
 void add_effort_options(CLI::App& command, Request& request);
 
-// --engine and --style, of what draws frames; and what they may not be together.
+// --engine and --style, for commands that draw frames; and a check of the two together.
 void add_engine(CLI::App& command, Request& request);
 void check_engine(const CLI::App& command, const Request& request);
 void add_size(CLI::App& command, Request& request);
-// --frames N, how many, [the scene's, else `count`], or --frames A-B, which.
+// --frames N: how many, by default the scene's number or `count`. --frames A-B: which.
 void add_frames(CLI::App& command, Request& request, const std::string& count);
 
-// How help is printed, by the program and its subcommands.
+// Sets how the program and its subcommands print help.
 void format_plainly(CLI::App& app);
 
 }  // namespace cydonia

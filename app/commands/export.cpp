@@ -9,7 +9,7 @@ namespace cydonia {
 
 namespace {
 
-// All else is in metres.
+// Only solids are scaled; the other formats are in metres.
 void check_solid(const CLI::App& command, const ExportRequest& asked) {
     if (std::holds_alternative<MeshFormat>(asked.format)) return;
     for (const char* name : {"--size", "--base", "--scale-z"})

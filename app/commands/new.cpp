@@ -23,7 +23,7 @@ namespace {
 
 struct NewScene {
     fs::path folder;
-    std::string from;  // empty: "text", of a picture "horse"
+    std::string from;  // empty: "text", or "horse" with a picture
     fs::path picture;  // empty: the example's own
 };
 
@@ -57,8 +57,8 @@ bool is_picture(const fs::path& file) {
                std::end(kExtensions);
 }
 
-// The value of every line `target = "..."` is the picture's name instead; those that were
-// there join `others`, which begins with scene.toml.
+// Puts the picture's name in place of the value of every line `target = "..."`. Adds the
+// values that were there to `others`, which begins with scene.toml.
 std::string with_target(const std::string& scene, const std::string& picture,
                         std::vector<std::string>& others) {
     constexpr std::string_view kKey = "target = \"";
@@ -81,7 +81,7 @@ std::string with_target(const std::string& scene, const std::string& picture,
     return text;
 }
 
-// What an example shares with others lies beside it: a copy has it inside.
+// Examples share files in a folder beside them; a copy has them inside.
 std::vector<fs::path> take_inside(std::string& text, const fs::path& source) {
     std::vector<fs::path> files;
     const config::SceneSpec scene = config::Scene::load(source / "scene.toml").at(0.0);
@@ -132,7 +132,7 @@ void make_new(const NewScene& request) {
             fs::copy_file(entry.path(), request.folder / entry.path().filename());
     if (has_picture) fs::copy_file(request.picture, request.folder / picture);
     write_text(scene, commented(text, Manual::load()));
-    config::Scene::load(scene);  // says what is wrong with the picture, if anything is
+    config::Scene::load(scene);  // throws if something is wrong with the picture
     fmt::print(
         "{0} begins as a copy of '{1}'; next:\n"
         "  cydonia render {0} --quality draft\n",

@@ -15,7 +15,8 @@
 namespace cydonia {
 namespace {
 
-// The name and what it takes, no more: ranges and choices are said in the description.
+// Prints an option's name and the type of its value. Ranges and choices are in its
+// description.
 class Formatter final : public CLI::Formatter {
   public:
     std::string make_option_opts(const CLI::Option* option) const override {

@@ -12,8 +12,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// The page is of what was made last: what was asked for then is asked for again, where
-// nothing else is.
+// The request with the options of the last run, whose files the page shows.
 Request as_made(Request request) {
     std::error_code none;
     const fs::path manifest = output_of(request) / "manifest.json";
@@ -26,7 +25,7 @@ Request as_made(Request request) {
         request.preview = made.preview;
         request.overrides = made.overrides;
     } catch (const std::exception&) {
-        // Of another version: as if there were none.
+        // The manifest is of another version: it counts as missing.
     }
     return request;
 }

@@ -29,7 +29,11 @@ const std::map<std::string, ExportFormat>& export_formats() {
     return formats;
 }
 
-Step export_file_step(Job& job) {
+std::string export_file_id(const Job& job) {
+    return "export " + std::string(name_of(job.request.export_as->format));
+}
+
+Step export_file_step(const Job& job) {
     const ExportFormat& format = job.request.export_as->format;
     if (std::holds_alternative<MeshFormat>(format)) return solid_step(job);
     if (std::holds_alternative<HeightFormat>(format)) return heights_step(job);
@@ -40,11 +44,11 @@ Json axes(const char* east, const char* north, const char* up) {
     return {{"east", east}, {"north", north}, {"up", up}};
 }
 
-Made with_sidecar(const Job& job, const std::string& file, Json what) {
+StepResult with_sidecar(const Job& job, const std::string& file, Json what) {
     Json all = {{"file", std::filesystem::path(file).filename().string()},
-                {"scene", job.spec.name},
-                {"title", job.spec.title},
-                {"seed", job.spec.seed},
+                {"scene", job.spec->name},
+                {"title", job.spec->title},
+                {"seed", job.spec->seed},
                 {"cydonia", kVersion}};
     all.update(what);
     write_text(job.folder / (file + ".json"), all.dump(2) + "\n");

@@ -1,8 +1,7 @@
-// The scene for other 3D programs.
+// glTF: the scene for other 3D programs.
 #include <fmt/core.h>
 
 #include "app/export/export.h"
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
@@ -14,14 +13,15 @@ namespace {
 constexpr int kSamples = 512;
 
 std::string file_name(const Job& job) {
-    return fmt::format("export/{}.glb", job.spec.name);
+    return fmt::format("export/{}.glb", job.spec->name);
 }
 
-Made make_gltf(Job& job, int samples) {
-    const Terrain& terrain = job.land.drawn();
+StepResult make_gltf(const Job& job, int samples) {
+    const auto land = job.land.drawn();
+    const Terrain& terrain = *land;
     std::vector<render::Shot> shots;
     for (const render::CameraOptions& camera : job.cameras())
-        shots.push_back(shot_of(camera, job, job.spec, terrain));
+        shots.push_back(shot_of(camera, *job.spec, job.request.quality, terrain));
     const render::GltfScene made = render::gltf_scene(terrain, shots, samples);
     make_folder(job.folder / "export");
     write_text(job.folder / file_name(job), made.file);
@@ -47,8 +47,7 @@ Made make_gltf(Job& job, int samples) {
 void say_what_it_is(const Json& result, const Job& job) {
     job.progress.note(fmt::format(
         "{}: {:g} x {:g} m, y up, north at -z; {} triangles, {} cameras, the sun at "
-        "{:.0f} "
-        "lux",
+        "{:.0f} lux",
         file_name(job), result.at("extent")[0].get<double>(),
         result.at("extent")[1].get<double>(), result.at("triangles").get<std::size_t>(),
         result.at("cameras").size(), result.at("lux").get<double>()));
@@ -56,21 +55,25 @@ void say_what_it_is(const Json& result, const Job& job) {
 
 }  // namespace
 
-Step gltf_step(Job& job) {
+Step gltf_step(const Job& job) {
     const int samples =
         samples_of(*job.request.export_as, kSamples, render::kMostGltfSamples);
-    return {"export glb",
-            Goal::kTerrain,
-            memory::of_gltf(job.drawn_cells(), samples),
-            [&job, samples] {
-                std::string text = fmt::format(
-                    "glb {:016x} {:016x} {} {} {} {}\n{}", job.land.drawn_key(),
-                    job.program, samples, name_of(job.request.quality), job.spec.name,
-                    job.spec.title, job.spec.render_text);
-                return hash_text(text);
-            },
-            [&job, samples] { return make_gltf(job, samples); },
-            [&job](const Json& result) { say_what_it_is(result, job); }};
+    const auto key = [&job, samples] {
+        return KeyBuilder("glb")
+            .add(job.program)
+            .add(job.land.drawn_key())
+            .add(samples)
+            .add(job.request.quality)
+            .add(job.spec->name)
+            .add(job.spec->title)
+            .add(job.spec->render_text)
+            .key();
+    };
+    return {.id = export_file_id(job),
+            .memory = memory::of_gltf(job.drawn_cells(), samples),
+            .key = key,
+            .run = [&job, samples](Graph&) { return make_gltf(job, samples); },
+            .gate = [&job](const Json& result) { say_what_it_is(result, job); }};
 }
 
 }  // namespace cydonia

@@ -1,10 +1,9 @@
-// The land's heights for programs of terrain, maps and games.
+// The heights for terrain, map and game programs.
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "app/export/export.h"
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "field/files.h"
 
@@ -14,10 +13,10 @@ namespace {
 constexpr int kMostSamples = 16384;
 
 std::string file_name(const Job& job, HeightFormat format) {
-    return fmt::format("export/{}.{}", job.spec.name, extension_of(format));
+    return fmt::format("export/{}.{}", job.spec->name, extension_of(format));
 }
 
-// Averaged down. Cells stay square: the other side is a whole number of them.
+// Averaged to at most `samples` along the longer side. Cells stay square.
 Terrain reduced(const Terrain& terrain, int samples) {
     Terrain result{at_most(terrain.heights, samples), terrain.spacing, {}, {}, {}};
     result.spacing *= double(terrain.heights.width()) / result.heights.width();
@@ -51,8 +50,8 @@ Json json_of(const StoredHeights& stored, const Terrain& land, HeightFormat form
     return json;
 }
 
-Made make_heights(Job& job, HeightFormat format, int samples) {
-    const Terrain land = reduced(job.land.finished(), samples);
+StepResult make_heights(const Job& job, HeightFormat format, int samples) {
+    const Terrain land = reduced(*job.land.finished(), samples);
     const std::string file = file_name(job, format);
     make_folder(job.folder / "export");
     Metadata metadata = job.metadata();
@@ -79,21 +78,28 @@ void say_what_it_is(const Json& result, const Job& job, HeightFormat format) {
 
 }  // namespace
 
-Step heights_step(Job& job) {
+Step heights_step(const Job& job) {
     const auto format = std::get<HeightFormat>(job.request.export_as->format);
     const int most = format == HeightFormat::kXyz ? kMostXyzSamples : kMostSamples;
     const int by_default = std::max(job.land.width(), job.land.height());
     const int samples = samples_of(*job.request.export_as, by_default, most);
-    return {fmt::format("export {}", name_of(format)),
-            Goal::kTerrain,
-            memory::of_heights(job.cells(), samples, format == HeightFormat::kXyz),
-            [&job, format, samples] {
-                return hash_text(fmt::format("heights {:016x} {:016x} {} {} {}",
-                                             job.land.key(), job.program, job.spec.name,
-                                             name_of(format), samples));
-            },
-            [&job, format, samples] { return make_heights(job, format, samples); },
-            [&job, format](const Json& result) { say_what_it_is(result, job, format); }};
+    const auto key = [&job, format, samples] {
+        return KeyBuilder("heights")
+            .add(job.program)
+            .add(job.land.key())
+            .add(job.spec->name)
+            .add(name_of(format))
+            .add(samples)
+            .key();
+    };
+    return {
+        .id = export_file_id(job),
+        .memory = memory::of_heights(job.cells(), samples, format == HeightFormat::kXyz),
+        .key = key,
+        .run = [&job, format,
+                samples](Graph&) { return make_heights(job, format, samples); },
+        .gate = [&job,
+                 format](const Json& result) { say_what_it_is(result, job, format); }};
 }
 
 }  // namespace cydonia

@@ -11,17 +11,17 @@
 
 namespace cydonia {
 
-// What other programs open: a solid to print, the scene, or the heights.
+// Files for other programs: a solid to print, the scene, or the heights.
 struct GltfFormat {};
 using ExportFormat = std::variant<MeshFormat, GltfFormat, HeightFormat>;
 
 struct ExportRequest {
     ExportFormat format = MeshFormat::kStl;
-    SolidOptions solid = {};          // of a solid, but for its samples
-    std::optional<int> samples = {};  // at most, along the longer side; none: format's
+    SolidOptions solid = {};          // of a solid; its samples are below
+    std::optional<int> samples = {};  // at most, along the longer side; none: by format
 };
 
-// "png16", as the command line names it.
+// The name on the command line: "png16".
 std::string_view name_of(const ExportFormat& format);
 const std::map<std::string, ExportFormat>& export_formats();
 

@@ -1,4 +1,4 @@
-// The land as a thing to hold.
+// The land as a solid body, to be printed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/export/export.h"
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/files.h"
@@ -22,7 +21,7 @@ struct SolidRequest {
 };
 
 std::string file_name(const Job& job, MeshFormat format) {
-    return fmt::format("export/{}.{}", job.spec.name, name_of(format));
+    return fmt::format("export/{}.{}", job.spec->name, name_of(format));
 }
 
 Json lamps_of(const Terrain& terrain, const SolidOptions& options) {
@@ -35,8 +34,9 @@ Json lamps_of(const Terrain& terrain, const SolidOptions& options) {
     return lamps;
 }
 
-Made make_solid(Job& job, const SolidRequest& asked) {
-    const Terrain& terrain = job.land.finished();
+StepResult make_solid(const Job& job, const SolidRequest& asked) {
+    const auto land = job.land.finished();
+    const Terrain& terrain = *land;
     const Solid solid = solid_of(terrain, asked.options);
     const std::string file = file_name(job, asked.format);
     make_folder(job.folder / "export");
@@ -62,14 +62,13 @@ void say_its_size(const Json& result, const SolidRequest& asked, const Job& job)
     const auto [width, height] = result.at("samples").get<std::array<int, 2>>();
     const int longer = std::max(job.land.width(), job.land.height());
     job.progress.note(
-        fmt::format("{}: {:.1f} x {:.1f} mm and {:.1f} mm high, {} of them the plate; 1 "
-                    "to {:.0f}; {} "
-                    "triangles",
+        fmt::format("{}: {:.1f} x {:.1f} mm and {:.1f} mm high, {} mm of which is the "
+                    "plate; scale 1:{:.0f}; {} triangles",
                     file_name(job, asked.format), east, north, high, asked.options.base,
                     1000.0 / result.at("millimetres_a_metre").get<double>(),
                     result.at("triangles").get<std::size_t>()));
     if (high - asked.options.base < 0.002 * asked.options.size)
-        job.progress.warn("the land is as good as flat at this size; raise --scale-z");
+        job.progress.warn("the land is nearly flat at this size; raise --scale-z");
     if (std::max(width, height) < longer) {
         job.progress.note(
             fmt::format("{} x {} samples were averaged to {} x {}; --samples, up to {}, "
@@ -79,8 +78,8 @@ void say_its_size(const Json& result, const SolidRequest& asked, const Job& job)
     }
 }
 
-// So far away that its rays differ from the sun's by a degree at most: more, and the
-// image comes apart (docs/sun-sweep.md).
+// Metres. From here on a lamp's rays differ from the sun's by at most a degree; with
+// more, the image falls apart (docs/sun-sweep.md).
 double lamp_distance(const SolidOptions& options) {
     return options.size / 2.0 / std::tan(radians(1.0)) / 1000.0;
 }
@@ -93,37 +92,40 @@ void say_its_lamps(const Json& result, const SolidOptions& options, Progress& pr
             as_in_scene = fmt::format(" (the scene's sun: {:.1f})",
                                       degrees(sun_of(lamp.at("sun")).elevation));
         progress.note(fmt::format(
-            "'{}' appears under a lamp at azimuth {:.1f}, clockwise from north, {:.1f} "
-            "degrees above the plate{}, {:.1f} m away or farther",
+            "'{}' appears under a lamp at azimuth {:.1f} (clockwise from north), {:.1f} "
+            "degrees above the plate{}, at least {:.1f} m away",
             lamp.at("image").get<std::string>(), degrees(sun.azimuth),
             degrees(sun.elevation), as_in_scene, lamp_distance(options)));
     }
 }
 
-std::string text_of(const SolidOptions& o) {
-    return fmt::format("{} {} {} {}", o.size, o.base, o.scale_z, o.samples);
-}
-
 }  // namespace
 
-Step solid_step(Job& job) {
+Step solid_step(const Job& job) {
     const ExportRequest& request = *job.request.export_as;
     SolidRequest asked{std::get<MeshFormat>(request.format), request.solid};
     asked.options.samples = samples_of(request, kSamples, kMostSolidSamples);
     expect_in_range(asked.options);
-    return {fmt::format("export {}", name_of(asked.format)),
-            Goal::kTerrain,
-            memory::of_solid(job.cells(), asked.options.samples),
-            [&job, asked] {
-                return hash_text(fmt::format("{:016x} {:016x} {} {}", job.land.key(),
-                                             job.program, job.spec.name,
-                                             text_of(asked.options)));
-            },
-            [&job, asked] { return make_solid(job, asked); },
-            [&job, asked](const Json& result) {
-                say_its_size(result, asked, job);
-                say_its_lamps(result, asked.options, job.progress);
-            }};
+    const auto key = [&job, options = asked.options] {
+        return KeyBuilder("solid")
+            .add(job.program)
+            .add(job.land.key())
+            .add(job.spec->name)
+            .add(options.size)
+            .add(options.base)
+            .add(options.scale_z)
+            .add(options.samples)
+            .key();
+    };
+    return {.id = export_file_id(job),
+            .memory = memory::of_solid(job.cells(), asked.options.samples),
+            .key = key,
+            .run = [&job, asked](Graph&) { return make_solid(job, asked); },
+            .gate =
+                [&job, asked](const Json& result) {
+                    say_its_size(result, asked, job);
+                    say_its_lamps(result, asked.options, job.progress);
+                }};
 }
 
 }  // namespace cydonia

@@ -7,11 +7,12 @@
 #include "app/farm/record.h"
 #include "app/farm/scripts.h"
 #include "app/farm/slurm.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/pipeline.h"
+#include "app/pipeline/steps.h"
 #include "app/sequence/filming.h"
 #include "app/sequence/plan.h"
+#include "app/sequence/steps.h"
 #include "app/threads.h"
 #include "field/error.h"
 #include "field/files.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kMostTasks = 1000;  // of an array, as Slurm comes
+constexpr std::size_t kMostTasks = 1000;  // of an array: Slurm's default limit
 
 Kind kind_of(const FarmRequest& asked, const Job& job) {
     if (asked.sequence) return *asked.sequence;
@@ -29,28 +30,22 @@ Kind kind_of(const FarmRequest& asked, const Job& job) {
         return camera.kind == render::CameraOptions::Kind::kPath;
     };
     const bool moves =
-        job.scene.varies() || std::ranges::any_of(job.spec.render.cameras, flies);
+        job.scene.varies() || std::ranges::any_of(job.spec->render.cameras, flies);
     return moves ? Kind::kFilm : Kind::kTurntable;
 }
 
-Kind kind_of(Goal goal) {
-    for (const Kind kind : {Kind::kDay, Kind::kTurntable})
-        if (goal_of(kind) == goal) return kind;
-    return Kind::kFilm;
-}
-
-// So that no node does a lot in vain when it dies, nor starts for a moment's work.
+// Frames of a task. A node that dies loses at most these; each start is worth its time.
 int chunk_of(render::Quality quality) {
     constexpr int kFrames[] = {8, 4, 1};
     return kFrames[static_cast<int>(quality)];
 }
 
 int minutes_of(render::Quality quality, int chunk) {
-    constexpr int kMinutes[] = {5, 30, 240};  // of a frame, on one core
+    constexpr int kMinutes[] = {5, 30, 240};  // for a frame on one core
     return chunk * kMinutes[static_cast<int>(quality)];
 }
 
-// Runs of frames, at most `chunk` in each.
+// Ranges of consecutive frames, at most `chunk` in each.
 std::vector<Request::Frames> chunks_of(const std::vector<std::size_t>& frames,
                                        int chunk) {
     std::vector<Request::Frames> chunks;
@@ -66,23 +61,21 @@ std::vector<Request::Frames> chunks_of(const std::vector<std::size_t>& frames,
     return chunks;
 }
 
-bool has_land(const std::vector<Step>& steps, const Job& job) {
-    return std::ranges::all_of(steps, [&](const Step& step) {
-        return step.goal > Goal::kAssets || step.goal == Goal::kReport ||
-               job.ledger.finished(step.name, step.key());
-    });
+// Whether everything that frames are traced from is finished.
+bool has_land(Graph& graph) {
+    return graph.finished(kAssetsStep) && graph.finished(kExportStep);
 }
 
-std::uint64_t most_memory(const std::vector<Step>& steps, Goal from, Goal to) {
+std::uint64_t most_memory(const std::vector<const Step*>& steps) {
     std::uint64_t most = 0;
-    for (const Step& step : steps)
-        if (from <= step.goal && step.goal <= to) most = std::max(most, step.memory);
+    for (const Step* step : steps) most = std::max(most, step->memory);
     return most;
 }
 
-// Once the land is made: before, none is traced, and a day's suns are not known.
-std::vector<std::size_t> missing(Kind kind, bool land, int count, Job& job) {
-    if (land) return frames_to_trace(job, plan_of(kind, job).sequence);
+// The frames that are not traced yet. Before the land is made that is all of them, and
+// the suns of a day are not known.
+std::vector<std::size_t> missing(Kind kind, int count, const Job& job, Graph& graph) {
+    if (has_land(graph)) return frames_to_trace(job, plan_of(kind, job).sequence, graph);
     if (kind != Kind::kDay) {
         const Sequence sequence = plan_of(kind, job).sequence;
         auto frames = frames_to_make(sequence, job.request);
@@ -94,22 +87,23 @@ std::vector<std::size_t> missing(Kind kind, bool land, int count, Job& job) {
     }
     if (job.request.frames)
         throw bad_request(
-            "a part of a day needs the land first, which tells the sun: cydonia emit "
+            "a part of a day needs the land first, on which the sun depends: cydonia "
+            "emit "
             "with the same options makes it");
     std::vector<std::size_t> all(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     return all;
 }
 
-// As other machines and later commands are to understand it: with full paths, and the
-// number of frames said.
+// The request for other machines and later commands: with absolute paths, and with the
+// number of frames.
 Request settled(Request request, const Job& job, Kind kind, int count) {
     request.scene = fs::absolute(request.scene).lexically_normal();
     request.output = fs::absolute(job.folder).lexically_normal();
     request.quiet = request.dry_run = false;
     if (request.frames && request.frames->first == 0 && request.frames->last + 1 == count)
         request.frames.reset();
-    if (!job.spec.frames.count && kind != Kind::kFilm)
+    if (!job.spec->frames.count && kind != Kind::kFilm)
         request.overrides.push_back(fmt::format("frames.count={}", count));
     return request;
 }
@@ -119,8 +113,9 @@ void refuse_while_queued(const fs::path& output) {
     const FarmRecord record = read_record(output);
     if (std::ranges::any_of(slurm::tasks_of(record.ids()), &slurm::Task::is_queued))
         throw bad_request(
-            "what was handed in before is still queued: see cydonia farm status, or end "
-            "it with scancel {}",
+            "jobs that were submitted before are still queued: see cydonia farm status, "
+            "or "
+            "cancel them with scancel {}",
             fmt::join(record.ids(), " "));
 }
 
@@ -128,7 +123,7 @@ void print(const std::vector<Script>& scripts, const FarmPlan& plan) {
     const fs::path folder = farm_folder(plan.request.output);
     for (const Script& script : scripts)
         fmt::print("# {}\n{}\n", (folder / script.file).string(), script.text);
-    fmt::print("# To be handed in from {}, each after the one before:\n",
+    fmt::print("# To be submitted from {}, each after the one before:\n",
                quoted(folder.string()));
     for (const Script& script : scripts)
         fmt::print(
@@ -137,8 +132,8 @@ void print(const std::vector<Script>& scripts, const FarmPlan& plan) {
             script.file);
 }
 
-// All of them, or none: what was handed in before a refusal is taken back.
-void hand_in(const std::vector<Script>& scripts, const FarmPlan& plan) {
+// Submits all scripts or none: after a refusal the jobs submitted before are cancelled.
+void submit_all(const std::vector<Script>& scripts, const FarmPlan& plan) {
     const fs::path folder = farm_folder(plan.request.output);
     make_folder(folder);
     FarmRecord record{plan.request, plan.goal, {}};
@@ -157,37 +152,42 @@ void hand_in(const std::vector<Script>& scripts, const FarmPlan& plan) {
     }
 }
 
-FarmPlan farm_plan(const FarmRequest& asked, Job& job) {
+FarmPlan farm_plan(const FarmRequest& asked, const Job& job) {
     const Kind kind = kind_of(asked, job);
     const int count = check_plan(kind, job);
-    const std::vector<Step> steps = steps_of(job);
+    Ledger ledger(job.folder);
+    Graph graph(steps_of(job), ledger);
+    refuse_equal_outputs(graph.closure(names_taken(goal_of(kind), job)));
 
     FarmPlan plan;
     plan.program = fs::read_symlink("/proc/self/exe");
     plan.folder = fs::current_path();
-    plan.name = job.spec.name;
+    plan.name = job.spec->name;
     plan.goal = goal_of(kind);
-    plan.land = !has_land(steps, job);
-    const auto frames = missing(kind, !plan.land, count, job);
+    plan.land = !has_land(graph);
+    const auto frames = missing(kind, count, job, graph);
     const int chunk =
         std::max(asked.chunk.value_or(chunk_of(job.request.quality)),
                  static_cast<int>((frames.size() + kMostTasks - 1) / kMostTasks));
     plan.chunks = chunks_of(frames, chunk);
     if (plan.chunks.size() > kMostTasks)
         throw bad_request(
-            "{} runs of missing frames are more than the {} tasks of an array",
+            "{} ranges of missing frames are more than the {} tasks of an array",
             plan.chunks.size(), kMostTasks);
     plan.minutes = asked.minutes.value_or(minutes_of(job.request.quality, chunk));
-    plan.land_memory = most_memory(steps, Goal::kTerrain, Goal::kEmit);
-    // Ours, and POV-Ray's beside it.
-    plan.frame_memory =
-        memory::of_emit(job.drawn_cells()) + most_memory(steps, plan.goal, plan.goal);
-    plan.collect_memory = most_memory(steps, Goal::kTerrain, plan.goal);
+    plan.land_memory = most_memory(graph.closure(targets_of(Goal::kEmit, job)));
+    // This program's memory and POV-Ray's at the same time.
+    plan.frame_memory = memory::of_emit(job.drawn_cells());
+    std::uint64_t own = 0;
+    for (const std::string& id : sequence_targets(kind, job))
+        own = std::max(own, graph.step(id).memory);
+    plan.frame_memory += own;
+    plan.collect_memory = most_memory(graph.closure(targets_of(plan.goal, job)));
     plan.request = settled(asked.request, job, kind, count);
     return plan;
 }
 
-// The job of a farm's record, as it was handed in.
+// The request of a farm's record, for the scene and folder of this one.
 Request recorded(const Request& request, const FarmRecord& record,
                  const fs::path& output) {
     Request all = record.request;
@@ -201,9 +201,12 @@ std::vector<std::size_t> still_missing(const Request& request, Goal goal,
                                        Console& console) {
     std::vector<std::size_t> frames;
     with_threads(request.threads, [&] {
-        Job job(request, console);
-        const int count = check_plan(kind_of(goal), job);
-        frames = missing(kind_of(goal), has_land(steps_of(job), job), count, job);
+        const Job job(request, console);
+        const Kind kind = sequence_of(goal).value();
+        const int count = check_plan(kind, job);
+        Ledger ledger(job.folder);
+        Graph graph(steps_of(job), ledger);
+        frames = missing(kind, count, job, graph);
     });
     return frames;
 }
@@ -244,19 +247,19 @@ std::string state_of(const std::vector<slurm::Task>& tasks, const std::string& i
 
 void farm(const FarmRequest& asked, Console& console) {
     with_threads(asked.request.threads, [&] {
-        Job job(asked.request, console);
+        const Job job(asked.request, console);
         const FarmPlan plan = farm_plan(asked, job);
         const std::vector<Script> scripts = scripts_of(plan);
         if (asked.request.dry_run) return print(scripts, plan);
         refuse_while_queued(plan.request.output);
-        hand_in(scripts, plan);
+        submit_all(scripts, plan);
         const FarmRecord record = read_record(plan.request.output);
         std::vector<std::string> jobs;
         for (const auto& [what, id] : record.jobs)
             jobs.push_back(fmt::format("{} {}", what, id));
-        console.note(fmt::format("{} handed in: jobs {}", name_of(plan.goal),
+        console.note(fmt::format("{} submitted: jobs {}", name_of(plan.goal),
                                  fmt::join(jobs, ", ")));
-        console.note(fmt::format("logs in {}; cydonia farm status {} tells how far it is",
+        console.note(fmt::format("logs in {}; cydonia farm status {} shows the progress",
                                  farm_folder(job.folder).string(),
                                  asked.request.scene.string()));
     });
@@ -274,7 +277,7 @@ void farm_status(const Request& request, Console& console) {
     const bool queued = std::ranges::any_of(tasks, &slurm::Task::is_queued);
     if (!queued && !left.empty())
         fmt::print(
-            "the same cydonia farm command hands in what is missing; logs are in {}\n",
+            "the same cydonia farm command submits what is missing; logs are in {}\n",
             farm_folder(output).string());
 }
 
@@ -285,7 +288,7 @@ void farm_collect(const Request& request, Console& console) {
     if (const auto left = still_missing(all, record.goal, console); !left.empty())
         throw failure(
             "{} frames are not traced, the first is {}: the same cydonia farm command "
-            "hands them in again",
+            "submits them again",
             left.size(), left.front());
     make(all, record.goal, console);
 }

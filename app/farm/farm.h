@@ -8,23 +8,25 @@
 
 namespace cydonia {
 
-// A sequence whose frames many machines trace, with Slurm: they share the output folder,
-// in whose farm/ are the scripts, the logs and a record of what was handed in.
+// Films a sequence on many machines with Slurm. They share the output folder. Its farm/
+// holds the scripts, the logs and a record of the submitted jobs.
 struct FarmRequest {
     Request request;
-    std::optional<Kind> sequence = {};  // none: the film of what moves, else a turntable
-    std::optional<int> chunk = {};      // frames a task; none: by quality
-    std::optional<int> minutes = {};    // of a task; none: by quality
+    std::optional<Kind> sequence =
+        {};                           // none: a film if anything moves, else a turntable
+    std::optional<int> chunk = {};    // frames of a task; none: by quality
+    std::optional<int> minutes = {};  // time limit of a task; none: by quality
 };
 
-// Hands in what is missing: the land, the frames, the rest. Dry: prints the scripts.
+// Submits what is missing: the land, the frames, and the rest. With dry_run, prints the
+// scripts instead.
 void farm(const FarmRequest& asked, Console& console);
 
-// Prints how far it is. `request` names the scene, and an output folder if that is not
-// the usual one.
+// Prints the state of the jobs. `request` names the scene, and the output folder unless
+// that is the usual one.
 void farm_status(const Request& request, Console& console);
 
-// Of frames that are all traced: their pictures and passes, the videos, the report.
+// When all frames are traced, makes pictures, passes, videos and the report.
 void farm_collect(const Request& request, Console& console);
 
 }  // namespace cydonia

@@ -13,11 +13,11 @@ namespace {
 
 fs::path file_in(const fs::path& output) { return farm_folder(output) / "farm.json"; }
 
-// Of digits only: it becomes an argument of Slurm's programs.
+// Ids become arguments of Slurm's programs: only digits are accepted.
 std::string checked_id(const std::string& id) {
     if (id.empty() ||
         !std::ranges::all_of(id, [](char c) { return '0' <= c && c <= '9'; }))
-        throw bad_request("'{}' is no job's id", id);
+        throw bad_request("'{}' is not the id of a job", id);
     return id;
 }
 
@@ -43,7 +43,7 @@ void write_record(const FarmRecord& record, const fs::path& output) {
 FarmRecord read_record(const fs::path& output) {
     const fs::path file = file_in(output);
     if (!has_record(output))
-        throw bad_request("{}: nothing was handed in to a farm; cydonia farm does so",
+        throw bad_request("{}: no jobs were submitted; cydonia farm submits them",
                           output.string());
     try {
         const Json json = Json::parse(read_text(file));

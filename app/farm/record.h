@@ -10,11 +10,11 @@
 
 namespace cydonia {
 
-// What was handed in to a farm last: <output>/farm/farm.json.
+// The jobs that were submitted last: <output>/farm/farm.json.
 struct FarmRecord {
     Request request;  // without scene and output
     Goal goal = Goal::kTurntable;
-    // Job ids by what they do: "land", "frames", "collect", in their order.
+    // What each job does ("land", "frames", "collect") and its id, in order.
     std::vector<std::pair<std::string, std::string>> jobs;
 
     std::vector<std::string> ids() const;
@@ -22,7 +22,7 @@ struct FarmRecord {
 
 std::filesystem::path farm_folder(const std::filesystem::path& output);
 void write_record(const FarmRecord& record, const std::filesystem::path& output);
-// Throws bad_request where none is, or a damaged one.
+// Throws bad_request if there is none or it is damaged.
 FarmRecord read_record(const std::filesystem::path& output);
 bool has_record(const std::filesystem::path& output);
 

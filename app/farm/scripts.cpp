@@ -13,11 +13,11 @@ std::string time_text(int minutes) {
                        minutes % 60);
 }
 
-// A quarter more than predicted: a job that takes more is ended.
+// A quarter more than predicted, because Slurm ends a job that takes more.
 std::uint64_t megabytes(std::uint64_t bytes) { return bytes / 4 * 5 / 1000000 + 64; }
 
-// Paths are not among the directives, which are no shell words: logs go to the folder
-// that sbatch is run in.
+// Directives are not read by a shell, so paths in them could not be quoted: logs go to
+// the folder that sbatch is run in.
 std::string head(const FarmPlan& plan, const std::string& job, const std::string& log,
                  int minutes, std::uint64_t memory) {
     return fmt::format(
@@ -46,7 +46,7 @@ std::string options(const Request& request) {
     return text;
 }
 
-// 1, or a signal: what another node, or the same one later, may do well.
+// Exit code 1 and signals may not happen again: on another node, or later, it may work.
 std::string body(const FarmPlan& plan, const std::string& lines) {
     return fmt::format(
         "\ncd {} || exit 1\n{}\ncode=$?\n"

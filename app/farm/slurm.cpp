@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace cydonia::slurm {
 namespace {
 
-constexpr std::chrono::seconds kTimeLimit{120};  // a controller may be slow to answer
+constexpr std::chrono::seconds kTimeLimit{120};  // the controller may be slow to answer
 constexpr std::size_t kMostOutput = 64u << 20;
 
 struct Answer {
@@ -39,14 +39,14 @@ Answer ask(const char* name, const std::vector<std::string>& arguments,
     if (!program)
         throw failure(
             "no {} on the PATH: the farm is Slurm's, run this where its programs are "
-            "(package slurm-client); --dry-run prints what would be handed in",
+            "(package slurm-client); --dry-run prints what would be submitted",
             name);
     Answer answer;
     const auto outcome = render::outcome_of(
         *program, arguments, folder, kTimeLimit, [&](std::string& output) {
             if (interrupt_signal() != 0) throw Interrupted{};
             if (output.size() > kMostOutput)
-                throw failure("{} answers without an end", name);
+                throw failure("{} does not stop answering", name);
             answer.text = output;
         });
     if (!outcome)
@@ -57,13 +57,13 @@ Answer ask(const char* name, const std::vector<std::string>& arguments,
     return answer;
 }
 
-// Its last line: "12", or "12;cluster". What comes before it is advice.
+// From the last line, "12" or "12;cluster". Lines before it are advice.
 std::string id_in(const std::string& text) {
     const std::string line = text.substr(text.rfind('\n') + 1);
     const std::string id = line.substr(0, line.find(';'));
     if (id.empty() ||
         !std::ranges::all_of(id, [](char c) { return '0' <= c && c <= '9'; }))
-        throw failure("sbatch names no job: {}", text);
+        throw failure("sbatch gave no job id: {}", text);
     return id;
 }
 
@@ -115,7 +115,7 @@ std::vector<Task> tasks_of(const std::vector<std::string>& jobs) {
              fmt::format("--jobs={}", fmt::join(jobs, ","))},
             ".");
     if (answer.outcome != 0) {
-        // Jobs that ended long ago.
+        // Slurm no longer knows jobs that ended long ago.
         if (answer.text.find("Invalid job id") != answer.text.npos) return {};
         throw failure("squeue: {}", answer.text);
     }

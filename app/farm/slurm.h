@@ -6,11 +6,11 @@
 
 namespace cydonia::slurm {
 
-// Slurm's own programs, started without a shell. All throw failure(): with the package to
-// install where a program is not there, with its own words where it refuses.
+// Slurm's own programs, started without a shell. All throw failure(), which names the
+// package to install if a program is missing, or quotes what the program said.
 
-// Hands in a script, to begin when the jobs `after` are done well; gives the job's id.
-// Logs go below `folder`.
+// Submits a script, which starts when the jobs `after` have succeeded; returns its job
+// id. Logs go to `folder`.
 std::string submit(const std::filesystem::path& script,
                    const std::filesystem::path& folder,
                    const std::vector<std::string>& after);
@@ -20,7 +20,7 @@ void cancel(const std::vector<std::string>& jobs);
 struct Task {
     std::string job;     // "12", "13_4", "13_[5-9]"
     std::string state;   // "PENDING", "RUNNING", "FAILED" ...
-    std::string node;    // empty: none yet
+    std::string node;    // empty until it runs
     std::string reason;  // why it waits
 
     bool of(const std::string& id) const;
@@ -28,7 +28,7 @@ struct Task {
     bool has_failed() const;
 };
 
-// Those the queue still knows: ended ones leave it after some minutes.
+// Tasks that the queue still shows; those that have ended leave it after some minutes.
 std::vector<Task> tasks_of(const std::vector<std::string>& jobs);
 
 }  // namespace cydonia::slurm

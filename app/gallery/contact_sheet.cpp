@@ -14,7 +14,7 @@ namespace {
 // Pixels.
 constexpr int kColumns = 6;
 constexpr int kTileWidth = 240, kTileHeight = 180;
-constexpr int kCaption = 26;  // height of its line
+constexpr int kCaption = 26;  // height of the line
 constexpr int kGap = 12;
 constexpr double kLetter = 15.0;
 constexpr double kLetterShape = 0.66;  // width of a letter as a share of its size
@@ -33,7 +33,7 @@ void lay(const Field<Rgb8>& picture, Corner corner, Field<Rgb8>& sheet) {
     }
 }
 
-// Where the pictures of each row end and their captions begin: a row is as high as its
+// Where the pictures of each row end and the captions begin. A row is as high as its
 // highest picture.
 std::vector<int> floors_of(const std::vector<Field<Rgb8>>& pictures, int columns) {
     std::vector<int> floors;
@@ -48,7 +48,7 @@ std::vector<int> floors_of(const std::vector<Field<Rgb8>>& pictures, int columns
     return floors;
 }
 
-// `middle`, `top`: of the caption's line.
+// `middle` and `top` give the place of the caption's line.
 std::string caption_of(const std::string& text, int middle, int top) {
     const double letters = static_cast<double>(std::max<std::size_t>(text.size(), 1));
     return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{:.2f}\">{}</text>\n", middle,

@@ -12,13 +12,13 @@ struct Tile {
     Field<Rgb8> picture;
 };
 
-// Every picture, whole and small, over its caption; rows of six.
+// All pictures, scaled down, each above its caption, in rows of six.
 Field<Rgb8> contact_sheet(const std::vector<Tile>& tiles);
 
-// Scaled down to lie within width x height, its proportions kept; smaller ones stay.
+// Scaled down to fit width x height with its proportions kept. Smaller pictures stay.
 Field<Rgb8> fitted(const Field<Rgb8>& picture, int width, int height);
 
-// The best JPEG that takes at most `most_bytes`; smaller in size too where none does.
+// The best JPEG of at most `most_bytes`; if none is small enough, of fewer pixels.
 std::string jpeg_within(const Field<Rgb8>& picture, std::size_t most_bytes);
 
 }  // namespace cydonia

@@ -8,16 +8,16 @@ namespace cydonia {
 // One scene of the gallery.
 struct Exhibit {
     struct Picture {
-        std::string file;  // beside the page
+        std::string file;  // relative to the page
         std::string label;
     };
-    std::string name;     // of its folder
+    std::string name;     // of the scene's folder
     std::string title;    //
-    std::string about;    // what to look at: the scene file's first comment
-    std::string command;  // that makes it
+    std::string about;    // the comment that the scene file begins with
+    std::string command;  // that makes the frames
     std::vector<Picture> pictures;
-    double synthesis = 0.0, render = 0.0;  // seconds, when it was last made
-    std::string failure;                   // why it could not be made; empty: it was
+    double synthesis = 0.0, render = 0.0;  // seconds of the last run
+    std::string failure;                   // why it could not be made; empty if it was
 };
 
 }  // namespace cydonia

@@ -10,9 +10,9 @@
 
 #include "app/gallery/contact_sheet.h"
 #include "app/gallery/page.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/output_folder.h"
 #include "app/pipeline/pipeline.h"
+#include "app/pipeline/steps.h"
 #include "field/data.h"
 #include "field/files.h"
 
@@ -22,11 +22,11 @@ namespace cydonia {
 namespace {
 
 constexpr const char* kFolder = "out/gallery";
-constexpr int kThumbnail = 640;               // pixels, the longest side
+constexpr int kThumbnail = 640;               // pixels of the longer side
 constexpr int kThumbnailQuality = 85;         // of its JPEG
 constexpr std::size_t kSheetBytes = 150'000;  // small enough for a README
 
-// A scene's steps as one line of the gallery's.
+// Shows all steps of a scene as one line.
 class OneLine final : public Progress {
   public:
     OneLine(Console& console, std::string name)
@@ -67,7 +67,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
     return scenes;
 }
 
-// As one types it: relative where that leads down, quoted where a shell needs it.
+// A path as one types it: relative if it is below here, quoted if a shell needs it.
 std::string typed(const fs::path& path) {
     const fs::path relative = fs::proximate(path);
     const std::string text = (*relative.begin() == ".." ? path : relative).string();
@@ -108,24 +108,31 @@ void add_pictures(const Job& job, Exhibit& exhibit) {
     add(job.folder / "preview.png", exhibit.name, "the land as shaded relief");
 }
 
-void add_seconds(const std::vector<Step>& steps, const Ledger& ledger, Exhibit& exhibit) {
-    for (const Step& step : steps) {
-        const Entry* entry = ledger.finished(step.name, step.key());
-        if (!entry) continue;
-        if (step.goal == Goal::kTerrain) exhibit.synthesis += entry->seconds;
-        if (step.goal >= Goal::kAssets) exhibit.render += entry->seconds;
-    }
+double seconds_of(const std::vector<const Step*>& steps, Graph& graph) {
+    double seconds = 0.0;
+    for (const Step* step : steps)
+        if (const StepRecord* record = graph.finished(step->id))
+            seconds += record->seconds;
+    return seconds;
 }
 
 void make_scene(const Request& request, OneLine& line, Exhibit& exhibit) {
     exhibit.about = leading_comment(read_text(request.scene));
-    Job job(request, line);
-    exhibit.title = job.spec.title;
-    const std::vector<Step> steps = steps_of(job);
-    line.expect(steps.size());
+    const Job job(request, line);
+    exhibit.title = job.spec->title;
+    Ledger ledger(job.folder);
+    Graph graph(steps_of(job), ledger);
+    std::vector<const Step*> frames = graph.closure(targets_of(Goal::kFrames, job));
+    line.expect(frames.size());
     make(request, Goal::kFrames, line);
-    job.ledger = Ledger(job.folder);
-    add_seconds(steps, job.ledger, exhibit);
+    ledger.reload();
+    const auto land = graph.closure(targets_of(Goal::kTerrain, job));
+    std::erase_if(frames, [&](const Step* step) {
+        return std::ranges::find(land, step) != land.end() || step->id == kCheckStep ||
+               step->id == kReportStep;
+    });
+    exhibit.synthesis += seconds_of(land, graph);
+    exhibit.render += seconds_of(frames, graph);
     add_pictures(job, exhibit);
 }
 

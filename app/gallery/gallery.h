@@ -8,10 +8,10 @@
 
 namespace cydonia {
 
-// Renders every scene.toml in the folders of `scenes` (empty: those that ship), each as
-// `each` says but for its scene and output folder, one after another, and lays them out
-// in out/gallery: a contact sheet and a page. A scene that fails does not stop the
-// others; failure() names them at the end. Throws bad_request where there is no scene.
+// Renders every scene.toml in the folders of `scenes` (empty: those that ship), one after
+// another, with the options of `each`. Writes a contact sheet and a page to out/gallery.
+// A scene that fails does not stop the others; failure() names them at the end. Throws
+// bad_request if there is no scene.
 void make_gallery(const std::filesystem::path& scenes, const Request& each,
                   Console& console);
 

@@ -8,13 +8,13 @@
 
 namespace cydonia {
 
-// The gallery as one page of HTML; pictures are links to files beside it.
+// The gallery as one page of HTML, which shows picture files beside it.
 std::string page_of(const std::vector<Exhibit>& exhibits);
 
-// The comment lines that a scene file begins with, without their marks.
+// The comment that a scene file begins with, without the # signs.
 std::string leading_comment(std::string_view scene);
 
-// Text as HTML and SVG may hold it, also in attributes.
+// Text escaped for HTML and SVG, in attributes too.
 std::string escaped(std::string_view text);
 
 }  // namespace cydonia

@@ -4,42 +4,41 @@
 #include <optional>
 #include <variant>
 
-#include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
+#include "app/pipeline/steps.h"
 
 namespace fs = std::filesystem;
 
 namespace cydonia {
-
 namespace {
 
-// The land before the first stage that hides an image; none where it is flat.
-std::optional<Field<float>> base_of(Job& job) {
-    const auto& stages = job.spec.stages;
+// The heights before the first stage that hides an image; none if that is the first
+// stage.
+std::optional<Field<float>> base_of(const Job& job) {
+    const auto& stages = job.spec->stages;
     const auto hides = [](const config::StageSpec& stage) {
         return std::holds_alternative<pareidolia::Options>(stage.options);
     };
     const auto before = std::ranges::find_if(stages, hides) - stages.begin();
     if (before == 0) return std::nullopt;
-    return job.land.as_drawn(job.land.after(static_cast<int>(before))).heights;
+    return job.land.as_drawn(*job.land.get(static_cast<int>(before))).heights;
 }
 
-Made run_check(Job& job) {
-    Made made{{}, {{"images", Json::array()}}};
-    if (job.land.finished().shadows.empty()) return made;
+StepResult run_check(const Job& job) {
+    StepResult made{{}, {{"images", Json::array()}}};
+    if (job.land.finished()->shadows.empty()) return made;
     const auto base = base_of(job);
     const fs::path folder = job.folder / "shadow";
-    const Terrain& terrain = job.land.drawn();
+    const auto land = job.land.drawn();
     const CheckedShadows checked =
-        check_shadows(terrain, base ? &*base : nullptr, folder, job.progress);
+        check_shadows(*land, base ? &*base : nullptr, folder, job.progress);
     for (std::size_t i = 0; i < checked.reports.size(); ++i) {
         Json image = json_of(checked.reports[i]);
         image["figures"] = json_of(checked.figures[i]);
         made.result["images"].push_back(image);
     }
-    for (const std::string& picture : shadow_pictures(terrain))
+    for (const std::string& picture : shadow_pictures(*land))
         made.outputs.push_back("shadow/" + picture);
     return made;
 }
@@ -55,18 +54,21 @@ void gate(const Json& result, const Job& job) {
 
 }  // namespace
 
-Step check_step(Job& job) {
-    return {
-        "check",
-        Goal::kCheck,
-        memory::of_check(job.drawn_cells()),
-        [&job] {
-            return hash_text(fmt::format(
-                "{:016x} {:016x} {}\n{}", job.land.key(), job.program, job.land.factor(),
-                job.land.factor() > 1 ? job.spec.render_text : ""));
-        },
-        [&job] { return run_check(job); },
-        [&job](const Json& result) { gate(result, job); }};
+Step check_step(const Job& job) {
+    const auto key = [&job] {
+        const int factor = job.land.factor();
+        return KeyBuilder("check")
+            .add(job.program)
+            .add(job.land.key())
+            .add(factor)
+            .add(factor > 1 ? job.spec->render_text : "")
+            .key();
+    };
+    return {.id = kCheckStep,
+            .memory = memory::of_check(job.drawn_cells()),
+            .key = key,
+            .run = [&job](Graph&) { return run_check(job); },
+            .gate = [&job](const Json& result) { gate(result, job); }};
 }
 
 }  // namespace cydonia

@@ -1,14 +1,12 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <system_error>
 
-#include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
-#include "app/threads.h"
+#include "app/pipeline/pictures.h"
+#include "app/pipeline/steps.h"
 #include "field/error.h"
 #include "field/files.h"
 #include "field/rgb.h"
@@ -20,9 +18,6 @@ namespace fs = std::filesystem;
 
 namespace cydonia {
 namespace {
-
-// A frame is traced (costly) from what the emit step wrote, byte for byte, and delivered
-// (cheap) with the scene's colour options: exposure and view change without a new trace.
 
 std::chrono::seconds time_limit(render::Quality quality) {
     switch (quality) {
@@ -36,26 +31,17 @@ std::chrono::seconds time_limit(render::Quality quality) {
     return std::chrono::hours(48);
 }
 
-std::uint64_t trace_key(const Job& job, const std::string& frame) {
-    std::string text = "trace";
-    for (const std::string& step : {std::string(kAssetsStep), shot_step_name(frame)}) {
-        for (const std::string& file : job.ledger.outputs_of(step)) {
-            text += fmt::format(" {:016x}", hash_of_file(job.folder / file));
-        }
-    }
-    return hash_text(text);
-}
-
-// A picture that POV-Ray cut short without a word (a full disk) is no picture.
-Field<Rgb> whole(const fs::path& picture) try {
+// POV-Ray does not always say so when it cuts a picture short, as on a full disk. Such a
+// picture is removed.
+Field<Rgb> whole_picture(const fs::path& picture) try {
     return read_exr_rgb(picture);
 } catch (const Error& error) {
     std::error_code none;
     fs::remove(picture, none);
-    throw failure("POV-Ray left half a picture: {}", error.what());
+    throw failure("POV-Ray wrote an incomplete picture: {}", error.what());
 }
 
-// One of several pictures' part of a frame's progress.
+// The progress of a frame while one of its pictures is traced.
 class PartProgress final : public Progress {
   public:
     PartProgress(std::size_t part, std::size_t parts, Progress& all)
@@ -72,7 +58,7 @@ class PartProgress final : public Progress {
     Progress& all_;
 };
 
-// Of linear light.
+// Of pictures in linear light.
 class Mean {
   public:
     void add(const Field<Rgb>& picture) {
@@ -90,66 +76,72 @@ class Mean {
     int count_ = 0;
 };
 
-// As many as the frame has moments; their mean is the frame.
-void trace_pictures(const Job& job, const fs::path& folder,
-                    const render::CameraOptions& camera, const FrameOf& of) {
-    Progress& progress = of.progress ? *of.progress : job.progress;
-    const std::vector<render::CameraOptions> pictures = pictures_of(camera, of);
+// The light of a picture, as POV-Ray's folder has it.
+std::string light_file(const std::string& picture) {
+    return render::file_of(picture, render::ShotFile::kFrame);
+}
+
+// Traces all pictures of a frame in `folder`; their mean is the frame's light there.
+void trace_pictures(const Job& job, const fs::path& folder, const Frame& frame) {
+    const std::vector<render::CameraOptions> pictures = pictures_of(frame);
     Mean mean;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        PartProgress part(i, pictures.size(), progress);
+        PartProgress part(i, pictures.size(), *frame.progress);
         const std::string& name = pictures[i].name;
-        render::run_povray(folder, name, of.threads ? of.threads : thread_count(),
-                           time_limit(job.request.quality), part);
-        const Field<Rgb> picture =
-            whole(folder / render::file_of(name, render::ShotFile::kFrame));
-        if (of.moments.empty()) return;
+        render::run_povray(folder, name, frame.threads, time_limit(job.request.quality),
+                           part);
+        const Field<Rgb> picture = whole_picture(folder / light_file(name));
+        if (frame.moments.empty()) return;
         mean.add(picture);
         std::error_code none;
-        fs::remove(folder / render::file_of(name, render::ShotFile::kFrame), none);
+        fs::remove(folder / light_file(name), none);
     }
-    write_exr(folder / render::file_of(camera.name, render::ShotFile::kFrame),
-              std::move(mean).get());
+    write_exr(folder / light_file(frame.camera.name), std::move(mean).get());
 }
 
-Made trace(Job& job, const render::CameraOptions& camera, const FrameOf& of) {
-    trace_pictures(job, job.folder / "pov", camera, of);
-    return {{"pov/" + camera.name + ".exr"}};
+std::string light_of(const Frame& frame) {
+    return "pov/" + light_file(frame.camera.name);
 }
 
-// The scene's, with the camera's own exposure added.
-render::ColourOptions colour_of(const Job& job, const render::CameraOptions& camera) {
-    render::ColourOptions colour = job.spec.render.colour;
-    colour.exposure += camera.exposure;
+std::vector<std::string> delivered_files(const Frame& frame) {
+    return {"frames/" + frame.camera.name + ".exr",
+            "frames/" + frame.camera.name + ".png"};
+}
+
+// The scene's colour options with the camera's exposure added.
+render::ColourOptions colour_of(const Job& job, const Frame& frame) {
+    render::ColourOptions colour = job.spec->render.colour;
+    colour.exposure += frame.camera.exposure;
     return colour;
 }
 
-std::uint64_t delivery_key(const Job& job, const std::string& frame,
-                           const render::ColourOptions& colour, const FrameOf& of) {
-    return hash_text(
-        fmt::format("{:016x} {:016x} {:016x} {:016x} {} {} {} {} {} {} {} {}",
-                    hash_of_file(job.folder / "pov" / (frame + ".exr")), job.program,
-                    colour.config ? colour.config->hash : 0, ocio_hash(), colour.display,
-                    colour.view, colour.exposure, job.spec.name, job.spec.seed, of.camera,
-                    of.when, of.exposure ? fmt::format("{}", *of.exposure) : "its own"));
+Key delivery_key(const Job& job, const Frame& frame) {
+    const render::ColourOptions colour = colour_of(job, frame);
+    return KeyBuilder("deliver")
+        .add(job.program)
+        .add(colour.config ? colour.config->hash : 0)
+        .add(ocio_hash())
+        .add(colour.display)
+        .add(colour.view)
+        .add(colour.exposure)
+        .add(job.spec->name)
+        .add(job.spec->seed)
+        .add(frame.view)
+        .add(frame.when)
+        .add(frame.exposure)
+        .key();
 }
 
-Made deliver(Job& job, const std::string& frame, const render::ColourOptions& colour,
-             const FrameOf& of) {
+StepResult deliver(const Job& job, const Frame& frame) {
     make_folder(job.folder / "frames");
     Metadata metadata = job.metadata();
-    metadata["cydonia:camera"] = of.camera.empty() ? frame : of.camera;
-    if (!of.when.empty()) metadata["cydonia:when"] = of.when;
+    metadata["cydonia:camera"] = frame.view;
+    if (!frame.when.empty()) metadata["cydonia:when"] = frame.when;
     metadata["cydonia:quality"] = name_of(job.request.quality);
-    render::deliver_frame(job.folder / "pov" / (frame + ".exr"), job.folder / "frames",
-                          frame, colour, metadata, of.exposure);
-    return {{"frames/" + frame + ".exr", "frames/" + frame + ".png"}};
-}
-
-// At most, whatever the quality: render::place makes smaller frames of drafts.
-std::uint64_t pixels_of(const render::CameraOptions& camera) {
-    return static_cast<std::uint64_t>(camera.size[0]) *
-           static_cast<std::uint64_t>(camera.size[1]);
+    render::deliver_frame(job.folder / light_of(frame), job.folder / "frames",
+                          frame.camera.name, colour_of(job, frame), metadata,
+                          frame.exposure);
+    return {delivered_files(frame)};
 }
 
 }  // namespace
@@ -159,51 +151,50 @@ std::uint64_t ocio_hash() {
     return ocio ? hash_of_file(ocio) : 0;
 }
 
-std::vector<Step> frame_steps(Job& job, const render::CameraOptions& camera,
-                              const FrameOf& of) {
-    const std::string frame = camera.name;
-    Step trace_step{.name = "trace " + frame,
-                    .goal = Goal::kFrames,
-                    .memory = memory::of_trace(job.drawn_cells(), pixels_of(camera)),
-                    .key = [&job, frame] { return trace_key(job, frame); },
-                    .run = [&job, camera, of] { return trace(job, camera, of); },
-                    .before = [] { render::povray_program(); }};
-    return {std::move(trace_step), deliver_step(job, camera, of)};
+std::string trace_id(const std::string& frame) { return "trace " + frame; }
+std::string deliver_id(const std::string& frame) { return "deliver " + frame; }
+
+Step trace_step(const Job& job, const Frame& frame) {
+    const auto run = [&job, frame](Graph&) -> StepResult {
+        trace_pictures(job, job.folder / "pov", frame);
+        return {{light_of(frame)}};
+    };
+    return {.id = trace_id(frame.camera.name),
+            .memory = memory::of_trace(job.drawn_cells(), pixels_of(frame.camera)),
+            .key = [] { return KeyBuilder("trace").key(); },
+            .run = run,
+            .before = [] { render::povray_program(); },
+            .writes = [frame] { return std::vector{light_of(frame)}; }};
 }
 
-Step trace_step_at_site(Job& job, const render::CameraOptions& camera,
-                        const FrameOf& of) {
-    const auto key = [&job, camera, of] {
-        const config::SceneSpec& scene = scene_of(job, of);
-        return hash_text(fmt::format("at site {:016x} {:016x} {} {} {}\n{}", of.land,
-                                     job.program, text_of(camera, of),
-                                     name_of(job.request.quality), scene.title,
-                                     scene.render_text));
+Step trace_temporary_land_step(const Job& job, const Frame& frame) {
+    const auto key = [&job, frame] {
+        KeyBuilder builder("trace of a temporary land");
+        builder.add(job.program).add(job.request.quality).add(frame.land.key);
+        builder.add(frame.scene->title).add(frame.scene->render_text);
+        add_to(builder, frame);
+        return builder.key();
     };
-    const auto run = [&job, camera, of]() -> Made {
-        const std::string picture = camera.name + ".exr";
-        const auto site = site_of(job, of);
-        write_pictures(job, *site, camera, of);
-        trace_pictures(job, site->pov, camera, of);
-        fs::rename(site->pov / picture, job.folder / "pov" / picture);
-        return {{"pov/" + picture}};
+    const auto run = [&job, frame](Graph&) -> StepResult {
+        const auto site = frame.land.site();
+        write_pictures(job, *site, frame);
+        trace_pictures(job, site->pov, frame);
+        fs::rename(site->pov / light_file(frame.camera.name),
+                   job.folder / light_of(frame));
+        return {{light_of(frame)}};
     };
-    return {.name = "trace " + camera.name,
-            .goal = Goal::kFrames,
-            .memory = memory::of_trace(job.drawn_cells(), pixels_of(camera)),
+    return {.id = trace_id(frame.camera.name),
+            .memory = memory::of_trace(job.drawn_cells(), pixels_of(frame.camera)),
             .key = key,
             .run = run};
 }
 
-Step deliver_step(Job& job, const render::CameraOptions& camera, const FrameOf& of) {
-    const std::string frame = camera.name;
-    const render::ColourOptions colour = colour_of(job, camera);
-    return {
-        .name = "deliver " + frame,
-        .goal = Goal::kFrames,
-        .memory = memory::of_delivery(pixels_of(camera)),
-        .key = [&job, frame, colour, of] { return delivery_key(job, frame, colour, of); },
-        .run = [&job, frame, colour, of] { return deliver(job, frame, colour, of); }};
+Step deliver_step(const Job& job, const Frame& frame) {
+    return {.id = deliver_id(frame.camera.name),
+            .memory = memory::of_delivery(pixels_of(frame.camera)),
+            .key = [&job, frame] { return delivery_key(job, frame); },
+            .run = [&job, frame](Graph&) { return deliver(job, frame); },
+            .writes = [frame] { return delivered_files(frame); }};
 }
 
 }  // namespace cydonia

@@ -27,7 +27,7 @@ Sun sun_of(const HeightCheck& asked) {
     return {radians(asked.azimuth), radians(asked.elevation)};
 }
 
-// White where shadows count.
+// 1 where shadows count; empty: everywhere.
 Field<std::uint8_t> window_asked(const HeightCheck& asked, const Terrain& terrain) {
     if (asked.window.empty()) return {};
     const Field<float> grey = read_grey_at(
@@ -35,7 +35,7 @@ Field<std::uint8_t> window_asked(const HeightCheck& asked, const Terrain& terrai
     Field<std::uint8_t> window(grey.width(), grey.height());
     std::ranges::transform(grey, window.begin(), [](float g) { return g >= 0.5f; });
     if (std::ranges::none_of(window, [](auto w) { return w != 0; }))
-        throw bad_request("--window: {} has no white where shadows would count",
+        throw bad_request("--window: {} has no white pixels, so no shadow would count",
                           asked.window.string());
     return window;
 }

@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <set>
 #include <system_error>
 
-#include "app/pipeline/cache.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -14,23 +17,30 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-constexpr const char* kFile = ".cache/steps.json";
+constexpr const char* kFile = ".cache/steps.jsonl";
 constexpr const char* kApart = ".cache/steps";
+constexpr std::size_t kFewLines = 64;  // stale lines that are not worth a new file
 
-Json json_of(const Entry& entry) {
-    return {{"key", entry.key},         {"outputs", entry.outputs},
-            {"sizes", entry.sizes},     {"result", entry.result},
-            {"seconds", entry.seconds}, {"peak_memory", entry.peak_memory},
-            {"hashes", entry.hashes},   {"written", entry.written}};
+std::string line_of(const std::string& step, const StepRecord& record) {
+    const Json json = {{"step", step},
+                       {"key", record.key},
+                       {"outputs", record.outputs},
+                       {"sizes", record.sizes},
+                       {"result", record.result},
+                       {"seconds", record.seconds},
+                       {"peak_memory", record.peak_memory},
+                       {"hashes", record.hashes},
+                       {"written", record.written}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Entry entry_of(const Json& json) {
+StepRecord record_of(const Json& json) {
     return {json.at("key"),    json.at("outputs"), json.at("sizes"),
             json.at("result"), json.at("seconds"), json.at("peak_memory"),
             json.at("hashes"), json.at("written")};
 }
 
-// Outputs are plain names below the folder; anything else is not ours to touch.
+// Outputs are paths below the folder. A damaged ledger may name others: leave them alone.
 bool inside(const fs::path& relative) {
     return relative.is_relative() && std::ranges::find(relative, "..") == relative.end();
 }
@@ -40,7 +50,7 @@ bool has_size(const fs::path& file, std::uint64_t size) {
     return fs::is_regular_file(file, none) && fs::file_size(file, none) == size;
 }
 
-// Larger ones are known by size and date alone.
+// Larger files are known by size and date alone.
 std::uint64_t hash_of_output(const fs::path& file, std::uint64_t size) {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
     return size > kMost ? 0 : hash_of_file(file);
@@ -51,104 +61,148 @@ std::int64_t time_written(const fs::path& file) {
     return fs::last_write_time(file, none).time_since_epoch().count();
 }
 
-bool intact(const fs::path& folder, const Entry& entry) {
-    const std::size_t count = entry.outputs.size();
-    if (entry.sizes.size() != count || entry.hashes.size() != count ||
-        entry.written.size() != count)
+bool intact(const fs::path& folder, const StepRecord& record) {
+    const std::size_t count = record.outputs.size();
+    if (record.sizes.size() != count || record.hashes.size() != count ||
+        record.written.size() != count)
         return false;
     for (std::size_t i = 0; i < count; ++i) {
-        const fs::path file = folder / entry.outputs[i];
-        if (!has_size(file, entry.sizes[i])) return false;
-        if (time_written(file) != entry.written[i] &&
-            hash_of_output(file, entry.sizes[i]) != entry.hashes[i])
+        const fs::path file = folder / record.outputs[i];
+        if (!has_size(file, record.sizes[i])) return false;
+        if (time_written(file) != record.written[i] &&
+            hash_of_output(file, record.sizes[i]) != record.hashes[i])
             return false;
     }
     return true;
 }
 
-// A missing or damaged file holds none.
-std::map<std::string, Entry> entries_in(const fs::path& file) try {
-    std::error_code none;
-    if (!fs::exists(file, none)) return {};
-    const Json steps = Json::parse(read_text(file));
-    std::map<std::string, Entry> entries;
-    for (const auto& [step, entry] : steps.items()) entries[step] = entry_of(entry);
-    return entries;
-} catch (const std::exception&) {
-    return {};
+struct Lines {
+    std::size_t count = 0;  // complete records
+    bool torn = false;      // a line is no record
+};
+
+// Reads the records of a file; they replace those of the same steps.
+Lines read_lines(const fs::path& file, std::map<std::string, StepRecord>& records) {
+    Lines lines;
+    std::ifstream in(file, std::ios::binary);
+    for (std::string line; std::getline(in, line);) {
+        try {
+            const Json json = Json::parse(line);
+            records[json.at("step").get<std::string>()] = record_of(json);
+            ++lines.count;
+        } catch (const std::exception&) {
+            lines.torn = true;
+        }
+        if (in.eof()) lines.torn = true;  // without its end: the next would run on
+    }
+    return lines;
+}
+
+void refuse_doubles(const std::string& step, const StepRecord& record) {
+    std::set<std::string> files;
+    for (const std::string& file : record.outputs)
+        if (!files.insert(file).second)
+            throw failure("'{}' wrote {} twice: two of its results have the same name",
+                          step, file);
 }
 
 }  // namespace
 
-Ledger::Ledger(const fs::path& folder)
-    : folder_(folder), entries_(entries_in(folder / kFile)) {
+Ledger::Ledger(const fs::path& folder) : folder_(folder), file_(folder / kFile) {
+    reload();
+}
+
+void Ledger::reload() {
+    const std::scoped_lock lock(mutex_);
+    records_.clear();
+    apart_.clear();
+    const Lines lines = read_lines(folder_ / kFile, records_);
+    is_worn_ = lines.torn || lines.count > 2 * records_.size() + kFewLines;
     std::error_code none;
     for (const auto& file : fs::directory_iterator(folder_ / kApart, none))
-        if (file.path().extension() == ".json") apart_.push_back(file.path());
-    // Of a step that several made, the last counts.
+        if (file.path().extension() == ".jsonl") apart_.push_back(file.path());
+    // If several processes made a step, the last record counts.
     std::ranges::sort(apart_, {}, [](const fs::path& file) {
         return std::pair(time_written(file), file);
     });
-    for (const fs::path& file : apart_)
-        for (auto& [step, entry] : entries_in(file)) entries_[step] = std::move(entry);
+    for (const fs::path& file : apart_) read_lines(file, records_);
 }
 
 void Ledger::record_apart(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
     make_folder(folder_ / kApart);
-    own_file_ = folder_ / kApart / (name + ".json");
-    for (const auto& [step, entry] : entries_in(own_file_)) own_.insert(step);
+    file_ = folder_ / kApart / (name + ".jsonl");
+    is_apart_ = true;
+    std::map<std::string, StepRecord> own;
+    is_worn_ = read_lines(file_, own).torn;
+    if (!is_worn_) return;
+    std::string text;  // without the incomplete line
+    for (const auto& [step, record] : own) text += line_of(step, record);
+    write_text(file_, text);
+    is_worn_ = false;
 }
 
-void Ledger::write() const {
-    Json steps = Json::object();
-    for (const auto& [name, entry] : entries_)
-        if (own_file_.empty() || own_.contains(name)) steps[name] = json_of(entry);
-    write_text(own_file_.empty() ? folder_ / kFile : own_file_, steps.dump(1) + "\n");
+bool Ledger::has(const std::string& step) const {
+    const std::scoped_lock lock(mutex_);
+    return records_.contains(step);
 }
 
-const Entry* Ledger::finished(const std::string& step, std::uint64_t key) const {
-    const std::scoped_lock lock(*mutex_);
-    const auto found = entries_.find(step);
-    if (found == entries_.end() || found->second.key != key) return nullptr;
+const StepRecord* Ledger::finished(const std::string& step, Key key) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = records_.find(step);
+    if (found == records_.end() || found->second.key != key) return nullptr;
     return intact(folder_, found->second) ? &found->second : nullptr;
 }
 
 std::vector<std::string> Ledger::outputs_of(const std::string& step) const {
-    const std::scoped_lock lock(*mutex_);
-    const auto found = entries_.find(step);
-    return found == entries_.end() ? std::vector<std::string>{} : found->second.outputs;
+    const std::scoped_lock lock(mutex_);
+    const auto found = records_.find(step);
+    return found == records_.end() ? std::vector<std::string>{} : found->second.outputs;
 }
 
-const Entry& Ledger::record(const std::string& step, Entry entry) {
-    entry.sizes.clear();
-    entry.hashes.clear();
-    entry.written.clear();
-    for (const std::string& output : entry.outputs) {
+const StepRecord& Ledger::record(const std::string& step, StepRecord record) {
+    refuse_doubles(step, record);
+    record.sizes.clear();
+    record.hashes.clear();
+    record.written.clear();
+    for (const std::string& output : record.outputs) {
         const fs::path file = folder_ / output;
-        entry.written.push_back(time_written(file));
-        entry.sizes.push_back(fs::file_size(file));
-        entry.hashes.push_back(hash_of_output(file, entry.sizes.back()));
+        record.written.push_back(time_written(file));
+        record.sizes.push_back(fs::file_size(file));
+        record.hashes.push_back(hash_of_output(file, record.sizes.back()));
     }
-    const std::scoped_lock lock(*mutex_);
-    for (const std::string& old : entries_[step].outputs) {
+    const std::scoped_lock lock(mutex_);
+    StepRecord& kept = records_[step];
+    const std::set<std::string> now(record.outputs.begin(), record.outputs.end());
+    for (const std::string& old : kept.outputs) {
         std::error_code none;
-        if (inside(old) && std::ranges::find(entry.outputs, old) == entry.outputs.end()) {
-            fs::remove(folder_ / old, none);
-        }
+        if (inside(old) && !now.contains(old)) fs::remove(folder_ / old, none);
     }
-    Entry& kept = entries_[step];
-    kept = std::move(entry);
-
-    if (!own_file_.empty()) own_.insert(step);
-    write();
-    if (own_file_.empty()) {
-        std::error_code none;
-        for (const fs::path& file : apart_) fs::remove(file, none);
-        apart_.clear();
-    }
+    kept = std::move(record);
+    if (!is_apart_ && (is_worn_ || !apart_.empty()))
+        rewrite();
+    else
+        append(step, kept);
     return kept;
 }
 
-std::string hex(std::uint64_t key) { return fmt::format("{:016x}", key); }
+void Ledger::append(const std::string& step, const StepRecord& record) {
+    if (!is_apart_) make_folder(file_.parent_path());
+    std::ofstream out(file_, std::ios::binary | std::ios::app);
+    out << line_of(step, record) << std::flush;
+    if (out) return;
+    is_worn_ = true;  // part of the line may have been written
+    throw failure("{}: {}", file_.string(), std::strerror(errno));
+}
+
+void Ledger::rewrite() {
+    std::string text;
+    for (const auto& [step, record] : records_) text += line_of(step, record);
+    write_text(file_, text);
+    is_worn_ = false;
+    std::error_code none;
+    for (const fs::path& file : apart_) fs::remove(file, none);
+    apart_.clear();
+}
 
 }  // namespace cydonia

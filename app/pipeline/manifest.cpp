@@ -1,14 +1,14 @@
 #include "app/pipeline/manifest.h"
 
 #include <algorithm>
-#include <optional>
+#include <iterator>
 
 #include "app/request_json.h"
 
 namespace cydonia {
 namespace {
 
-// Relative to the output folder, so that both can be moved together.
+// The path relative to the output folder, so that both can be moved together.
 std::string path_to(const std::filesystem::path& file, const Job& job) {
     return std::filesystem::proximate(file, std::filesystem::absolute(job.folder))
         .generic_string();
@@ -28,63 +28,60 @@ Json inputs_of(const Job& job) {
     const auto add = [&](const Source& source) {
         inputs["files"].push_back(json_of(source, job));
     };
-    for (const config::StageSpec& stage : job.spec.stages)
+    for (const config::StageSpec& stage : job.spec->stages)
         std::ranges::for_each(stage.sources, add);
-    if (job.spec.render.colour.config) add(*job.spec.render.colour.config);
+    if (job.spec->render.colour.config) add(*job.spec->render.colour.config);
     return inputs;
 }
 
 Json versions_of(const Job& job) {
     Json versions = {{"cydonia", kVersion}, {"program", hex(job.program)}};
-    for (const config::StageSpec& stage : job.spec.stages) {
+    for (const config::StageSpec& stage : job.spec->stages) {
         const Method method = method_of(stage.options);
         versions[std::string(method.name)] = method.version;
     }
     return versions;
 }
 
-// The finished steps as they are now. Frames are made from what steps before them wrote:
-// after one that is to be done again, they do not count.
-std::vector<const Step*> finished_steps(const std::vector<Step>& steps, const Job& job) {
+constexpr Goal kStills[] = {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames};
+constexpr Goal kSequences[] = {Goal::kSweep, Goal::kTurntable, Goal::kFilm};
+
+// The finished steps of all goals that a request with these options can have.
+std::vector<const Step*> finished_steps(Graph& graph, const Job& job) {
+    std::vector<std::string> targets;
+    const auto add = [&](Goal goal) {
+        std::ranges::move(targets_of(goal, job), std::back_inserter(targets));
+    };
+    std::ranges::for_each(kStills, add);
+    std::ranges::for_each(kSequences, add);
     std::vector<const Step*> finished;
-    bool assets = true, emitted = true;
-    for (const Step& step : steps) {
-        const bool is_one = job.ledger.finished(step.name, step.key()) != nullptr;
-        if (step.goal <= Goal::kAssets && step.goal != Goal::kReport) assets &= is_one;
-        if (step.goal <= Goal::kEmit && step.goal != Goal::kReport) emitted &= is_one;
-        const bool counts = step.goal <= Goal::kReport  ? true
-                            : step.goal > Goal::kFrames ? assets
-                                                        : emitted;
-        if (is_one && counts) finished.push_back(&step);
-    }
+    for (const Step* step : graph.closure(targets))
+        if (graph.finished(step->id)) finished.push_back(step);
     return finished;
 }
 
-// The farthest of the stills' goals, which includes those before it, and every film.
-std::vector<Goal> goals_of(const std::vector<Step>& steps,
-                           const std::vector<const Step*>& finished) {
+// Whether all targets of the goal are finished, apart from the report.
+bool is_reached(Goal goal, Graph& graph, const Job& job) {
+    std::vector<std::string> targets = targets_of(goal, job);
+    std::erase(targets, kReportStep);
+    return !targets.empty() && std::ranges::all_of(targets, [&](const std::string& id) {
+        return graph.finished(id);
+    });
+}
+
+// The last goal of the stills, whose targets include those of the goals before it, and
+// all sequences.
+std::vector<Goal> goals_of(Graph& graph, const Job& job) {
     std::vector<Goal> goals;
-    std::optional<Goal> still;
-    for (const Goal goal : {Goal::kTerrain, Goal::kCheck, Goal::kEmit, Goal::kFrames,
-                            Goal::kSweep, Goal::kTurntable, Goal::kFilm}) {
-        const auto of_goal = [goal](const Step& step) { return step.goal == goal; };
-        if (std::ranges::none_of(steps, of_goal) ||
-            !std::ranges::all_of(steps, [&](const Step& step) {
-                return !of_goal(step) ||
-                       std::ranges::find(finished, &step) != finished.end();
-            }))
-            continue;
-        if (goal <= Goal::kFrames)
-            still = goal;
-        else
-            goals.push_back(goal);
-    }
-    if (still) goals.insert(goals.begin(), *still);
+    for (const Goal goal : kStills)
+        if (is_reached(goal, graph, job)) goals = {goal};
+    for (const Goal goal : kSequences)
+        if (is_reached(goal, graph, job)) goals.push_back(goal);
     return goals;
 }
 
 Json land_of(const Job& job) {
-    const Land& land = job.land;
+    const LandStore& land = job.land;
     return {{"samples", {land.width(), land.height()}},
             {"spacing", land.spacing()},
             {"extent", {land.spacing() * land.width(), land.spacing() * land.height()}},
@@ -95,12 +92,12 @@ Json land_of(const Job& job) {
             {"drawn_factor", land.factor()}};
 }
 
-void add_outputs(Json& manifest, const Step& step, const Entry& entry) {
-    for (std::size_t i = 0; i < entry.outputs.size(); ++i)
-        manifest["outputs"].push_back({{"file", entry.outputs[i]},
-                                       {"step", step.name},
-                                       {"bytes", entry.sizes[i]},
-                                       {"xxh3", hex(entry.hashes[i])}});
+void add_outputs(Json& manifest, const Step& step, const StepRecord& record) {
+    for (std::size_t i = 0; i < record.outputs.size(); ++i)
+        manifest["outputs"].push_back({{"file", record.outputs[i]},
+                                       {"step", step.id},
+                                       {"bytes", record.sizes[i]},
+                                       {"xxh3", hex(record.hashes[i])}});
 }
 
 }  // namespace
@@ -118,29 +115,27 @@ Json options_of(const config::SceneSpec& spec) {
             {"frames", spec.frames_text}};
 }
 
-Json manifest_of(const std::vector<Step>& steps, const Job& job) {
-    const auto finished = finished_steps(steps, job);
-    Json manifest = {
-        {"manifest", kManifestVersion},
-        {"title", job.spec.title},
-        {"scene", job.spec.name},
-        {"seed", job.spec.seed},
-        {"quality", name_of(job.request.quality)},
-        {"command", json_of(Command{goals_of(steps, finished), job.request})},
-        {"versions", versions_of(job)},
-        {"inputs", inputs_of(job)},
-        {"options", options_of(job.spec)},
-        {"land", land_of(job)},
-        {"figures", Json::object()},
-        {"outputs", Json::array()}};
+Json manifest_of(Graph& graph, const Job& job) {
+    Json manifest = {{"manifest", kManifestVersion},
+                     {"title", job.spec->title},
+                     {"scene", job.spec->name},
+                     {"seed", job.spec->seed},
+                     {"quality", name_of(job.request.quality)},
+                     {"command", json_of(Command{goals_of(graph, job), job.request})},
+                     {"versions", versions_of(job)},
+                     {"inputs", inputs_of(job)},
+                     {"options", options_of(*job.spec)},
+                     {"land", land_of(job)},
+                     {"figures", Json::object()},
+                     {"outputs", Json::array()}};
     Json timings = {{"threads", job.request.threads}, {"seconds", Json::object()}};
     std::uint64_t peak = 0;
-    for (const Step* step : finished) {
-        const Entry& entry = *job.ledger.finished(step->name, step->key());
-        if (!entry.result.empty()) manifest["figures"][step->name] = entry.result;
-        add_outputs(manifest, *step, entry);
-        timings["seconds"][step->name] = entry.seconds;
-        peak = std::max(peak, entry.peak_memory);
+    for (const Step* step : finished_steps(graph, job)) {
+        const StepRecord& record = *graph.finished(step->id);
+        if (!record.result.empty()) manifest["figures"][step->id] = record.result;
+        add_outputs(manifest, *step, record);
+        timings["seconds"][step->id] = record.seconds;
+        peak = std::max(peak, record.peak_memory);
     }
     timings["peak_memory"] = peak;
     manifest["timings"] = timings;

@@ -1,19 +1,17 @@
 #pragma once
 
-#include <vector>
-
-#include "app/pipeline/job.h"
+#include "app/pipeline/steps.h"
 
 namespace cydonia {
 
-inline constexpr int kManifestVersion = 1;  // of the file's form
+inline constexpr int kManifestVersion = 1;  // of the file format
 
-// What the output folder holds and how it came about, enough to make it again:
-// docs/manifest.md, config/schema/manifest.schema.json. Of the same scene everything is
-// equal but "timings".
-Json manifest_of(const std::vector<Step>& steps, const Job& job);
+// Describes the files of the output folder and everything needed to make them again:
+// docs/manifest.md, config/schema/manifest.schema.json. The same scene gives the same
+// manifest but for "timings".
+Json manifest_of(Graph& graph, const Job& job);
 
-// Every key of a scene in canonical form, files by their content.
+// Every key of a scene in canonical form, with files given by their content.
 Json options_of(const config::SceneSpec& spec);
 
 }  // namespace cydonia

@@ -18,8 +18,7 @@ constexpr std::uint64_t kMega = 1'000'000;
 constexpr std::uint64_t kProgram = 175 * kMega;  // code, libraries, thread pools
 constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
 
-// The first number of a file such as the kernel's accounts; unlimited when there is none
-// ("max").
+// The number in one of the kernel's accounting files; kUnlimited if it has none ("max").
 std::uint64_t number_in(const char* file) {
     std::uint64_t value = 0;
     return std::ifstream(file) >> value ? value : kUnlimited;
@@ -37,7 +36,7 @@ std::uint64_t machine_available() {
     return kUnlimited;
 }
 
-// As a container sees its own group, versions 2 and 1.
+// The limits of a container, in control groups of versions 2 and 1.
 std::uint64_t group_available() {
     const auto left = [](std::uint64_t limit, std::uint64_t used) {
         if (limit == kUnlimited || used == kUnlimited) return kUnlimited;
@@ -126,9 +125,8 @@ std::uint64_t available() {
 void refuse_unless_it_fits(std::uint64_t needed, std::uint64_t available) {
     if (needed <= available) return;
     throw failure(
-        "this needs about {} of memory and {} are available; lower terrain.samples or "
-        "the "
-        "cameras' size",
+        "this needs about {} of memory and {} is available; lower terrain.samples or "
+        "the cameras' size",
         bytes_text(needed), bytes_text(available));
 }
 

@@ -14,7 +14,7 @@ namespace cydonia {
 
 OutputFolder::OutputFolder(const std::filesystem::path& path, Claim claim) : path_(path) {
     make_folder(path / ".cache");
-    // Writing a few bytes tells a full or read-only file system before hours of work do.
+    // Writing a few bytes finds a full or read-only file system now, not after hours.
     write_text(path / ".cache" / "README",
                "Finished steps of Cydonia; may be deleted.\n");
 
@@ -34,7 +34,7 @@ void OutputFolder::belongs_to(const std::string& scene) const {
     std::error_code none;
     const std::string owner = std::filesystem::exists(file, none) ? read_text(file) : "";
     if (!owner.ends_with('\n'))
-        return write_text(file, scene + "\n");  // none, or damaged
+        return write_text(file, scene + "\n");  // there is none, or it is damaged
     if (owner != scene + "\n")
         throw bad_request(
             "{} holds the scene '{}'; name another folder with -o, or remove it",

@@ -5,16 +5,16 @@
 
 namespace cydonia {
 
-// A scene's output folder, made and claimed for this process: throws failure() when it is
-// a file, cannot be written, is full, or another run is at work in it.
+// A scene's output folder, which is made and locked for this process. Throws failure() if
+// it is a file, cannot be written to, is full, or another run is at work in it.
 class OutputFolder {
   public:
-    // Processes that share it write files of different names.
+    // Processes that share the folder write different files.
     enum class Claim { kAlone, kShared };
     explicit OutputFolder(const std::filesystem::path& path, Claim claim = Claim::kAlone);
     ~OutputFolder();
-    // From now on it is this scene's. Throws bad_request() when it is another's, whose
-    // files would stand among those of this one.
+    // Marks the folder as this scene's. Throws bad_request() if it is another scene's,
+    // because the files of both would be mixed.
     void belongs_to(const std::string& scene) const;
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;

@@ -1,32 +1,32 @@
-// What compositors want besides the frame: render/passes, from the same camera over the
-// same land, in frames/<camera>.passes.exr or a file each.
-#include <fmt/core.h>
-
+// Passes for compositing (render/passes), from the frame's camera over the frame's land:
+// all in frames/<camera>.passes.exr, or each in a file of its own.
 #include <algorithm>
 
-#include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
+#include "app/pipeline/steps.h"
 #include "field/image.h"
 #include "render/passes/passes.h"
 
 namespace cydonia {
 namespace {
 
-std::uint64_t passes_key(const Job& job, const render::CameraOptions& camera,
-                         const FrameOf& of,
-                         const std::optional<render::CameraOptions>& next) {
-    return hash_text(fmt::format(
-        "passes {:016x} {:016x} {:016x} {} {} {}\n{}", of.site ? of.land : job.land.key(),
-        job.program, hash_of_file(job.folder / "frames" / (camera.name + ".exr")),
-        text_of(camera, of), next ? text_of(*next, of) : "still",
-        name_of(job.request.quality), scene_of(job, of).render_text));
+Key passes_key(const Job& job, const Frame& frame) {
+    KeyBuilder key("passes");
+    key.add(job.program).add(job.request.quality).add(frame.land.key);
+    key.add(frame.scene->render_text);
+    add_to(key, frame);
+    if (!frame.next) return key.add("still").key();
+    Frame next = frame;
+    next.camera = *frame.next;
+    add_to(key, next);
+    return key.key();
 }
 
-// 1 where the first mask called "type-..." is most, 2 where the second is, ...
+// 1 where the first mask called "type-..." is the largest, 2 where the second is, and so
+// on.
 Field<std::uint8_t> types_of(const Terrain& terrain) {
     Field<std::uint8_t> types;
-    Field<float> most;  // between samples several types have a share
+    Field<float> most;  // smaller shares do not count
     std::uint8_t number = 0;
     for (const auto& [name, mask] : terrain.masks) {
         if (!name.starts_with("type-")) continue;
@@ -41,69 +41,61 @@ Field<std::uint8_t> types_of(const Terrain& terrain) {
     return types;
 }
 
-// As POV-Ray had them.
 render::PassMaps maps_of(const Site& site) {
-    render::PassMaps maps;
-    maps.types = types_of(site.terrain);
-    const Field<Rgba8> materials = read_rgba(open_source(site.pov / "materials.png"));
-    maps.materials = Field<std::uint8_t>(materials.width(), materials.height());
-    for (std::size_t i = 0; i < materials.size(); ++i)
-        maps.materials[i] = materials[i][0];
-    maps.sky_visibility = read_grey(open_source(site.pov / "sky_visibility.png"));
-    return maps;
+    const auto maps = site.maps();
+    return {maps->ground.materials, types_of(*site.terrain), maps->sky_visibility};
 }
 
-Made make_passes(Job& job, const render::CameraOptions& camera, const FrameOf& of,
-                 const std::optional<render::CameraOptions>& next) {
-    Progress& progress = of.progress ? *of.progress : job.progress;
-    const render::PassOptions& options = *job.spec.render.passes;
-    const config::SceneSpec& scene = scene_of(job, of);
-    const auto site = site_of(job, of);
-    const Terrain& terrain = site->terrain;
-    const render::Shot shot = shot_of(camera, job, scene, terrain);
+StepResult make_passes(const Job& job, const Frame& frame) {
+    const render::PassOptions& options = *job.spec->render.passes;
+    const auto site = frame.land.site();
+    const Terrain& terrain = *site->terrain;
+    const render::PassMaps maps = maps_of(*site);
+    const auto shot_from = [&](const render::CameraOptions& camera) {
+        return shot_of(camera, *frame.scene, job.request.quality, terrain);
+    };
+    const render::Shot shot = shot_from(frame.camera);
     const render::View view(terrain, render::scenery_of(shot, terrain));
-    progress.report(0.1);
+    frame.progress->report(0.1);
     const render::CameraRays rays(shot.camera);
     const auto points = view.seen(rays, shot.smooth);
-    progress.report(0.4);
-    auto layers = render::passes(view, points, shot.sun, maps_of(*site), options.which);
-    if (next && std::ranges::count(options.which, render::Pass::kMotion))
+    frame.progress->report(0.4);
+    auto layers = render::passes(view, points, shot.sun, maps, options.which);
+    if (frame.next && std::ranges::count(options.which, render::Pass::kMotion))
         layers.push_back(render::motion_pass(
-            points, rays,
-            render::CameraRays(shot_of(*next, job, scene, terrain).camera)));
-    progress.report(0.7);
+            points, rays, render::CameraRays(shot_from(*frame.next).camera)));
+    frame.progress->report(0.7);
 
+    const std::string& name = frame.camera.name;
     Metadata metadata = job.metadata();
-    metadata["cydonia:camera"] = camera.name;
+    metadata["cydonia:camera"] = name;
     metadata["cydonia:space"] = "metres; x east, y north, z up; Z along the view's axis";
     const int width = points.width(), height = points.height();
-    Made made;
+    StepResult made;
     const auto write = [&](const std::string& pass, const Field<Rgb>& beauty,
                            const std::vector<render::PassLayer>& parts) {
-        made.outputs.push_back("frames/" + camera.name + "." + pass + ".exr");
+        made.outputs.push_back("frames/" + name + "." + pass + ".exr");
         render::write_passes(job.folder / made.outputs.back(), beauty, parts, width,
                              height, metadata);
     };
     if (options.separate)
         for (const render::PassLayer& layer : layers) write(layer.name, {}, {layer});
     else
-        write("passes", read_exr_rgb(job.folder / "frames" / (camera.name + ".exr")),
-              layers);
+        write("passes", read_exr_rgb(job.folder / "frames" / (name + ".exr")), layers);
     return made;
 }
 
 }  // namespace
 
-Step passes_step(Job& job, const render::CameraOptions& camera, const FrameOf& of,
-                 const std::optional<render::CameraOptions>& next) {
-    const auto pixels = static_cast<std::uint64_t>(camera.size[0]) *
-                        static_cast<std::uint64_t>(camera.size[1]);
+std::string passes_id(const std::string& frame) { return "passes " + frame; }
+
+Step passes_step(const Job& job, const Frame& frame) {
     return {
-        .name = "passes " + camera.name,
-        .goal = Goal::kFrames,
-        .memory = memory::of_passes(job.drawn_cells(), pixels),
-        .key = [&job, camera, of, next] { return passes_key(job, camera, of, next); },
-        .run = [&job, camera, of, next] { return make_passes(job, camera, of, next); }};
+        .id = passes_id(frame.camera.name),
+        .memory = std::max(memory::of_emit(job.drawn_cells()),  // for the maps
+                           memory::of_passes(job.drawn_cells(), pixels_of(frame.camera))),
+        .key = [&job, frame] { return passes_key(job, frame); },
+        .run = [&job, frame](Graph&) { return make_passes(job, frame); }};
 }
 
 }  // namespace cydonia

@@ -6,10 +6,10 @@
 
 namespace cydonia {
 
-// From a scene file to `goal`, doing only what is not finished yet. Throws Error, also
-// for a check that fell short (ExitCode::kCheckFellShort).
+// Makes what the goal is for, doing only steps that are not finished yet. Throws Error,
+// with ExitCode::kCheckFellShort if a shadow check fell short.
 void make(const Request& request, Goal goal, Progress& progress);
-// The same as all that a command does: says at the end where everything is.
+// The same for a command, which ends with a note of where the files are.
 void make(const Request& request, Goal goal, Console& console);
 
 }  // namespace cydonia

@@ -1,13 +1,11 @@
-// A look at the scene in a second: frames by Embree (render/embree) in place of all that
-// POV-Ray needs.
+// Previews: frames by Embree (render/embree) in about a second, without POV-Ray.
 #include <fmt/core.h>
 
 #include <memory>
 #include <optional>
 
-#include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
+#include "app/pipeline/steps.h"
 #include "field/files.h"
 #include "render/embree/diagram.h"
 #include "render/embree/preview_frame.h"
@@ -16,50 +14,56 @@
 namespace cydonia {
 namespace {
 
-// What the cameras of a scene share, made by the first of them.
+// What all cameras of a scene share; the first to be drawn makes it.
 using SharedLand = std::shared_ptr<std::optional<render::PreviewLand>>;
 
-Step preview_step(Job& job, const render::CameraOptions& camera, const SharedLand& land) {
+Step preview_step(const Job& job, const Frame& frame, const SharedLand& shared) {
     const render::Style style = *job.request.preview;
-    const std::string file = fmt::format("frames/{}.{}.png", camera.name, name_of(style));
-    const auto pixels = static_cast<std::uint64_t>(camera.size[0]) *
-                        static_cast<std::uint64_t>(camera.size[1]);
-    const auto key = [&job, camera, file] {
-        return hash_text(fmt::format("preview {:016x} {:016x} {:016x} {} {} {}\n{}",
-                                     job.land.key(), job.program, ocio_hash(),
-                                     text_of(camera, {}), file,
-                                     name_of(job.request.quality), job.spec.render_text));
+    const std::string file =
+        fmt::format("frames/{}.{}.png", frame.camera.name, name_of(style));
+    const auto key = [&job, frame, style] {
+        KeyBuilder builder("preview");
+        builder.add(job.program).add(frame.land.key).add(ocio_hash());
+        builder.add(style).add(job.request.quality).add(frame.scene->render_text);
+        add_to(builder, frame);
+        return builder.key();
     };
-    const auto natural = [land](const render::Shot& shot, const Terrain& terrain) {
-        if (!*land) land->emplace(shot, terrain);
-        return (*land)->frame(shot);
+    const auto natural = [shared](const render::Shot& shot, const Terrain& terrain) {
+        if (!*shared) shared->emplace(shot, terrain);
+        return (*shared)->frame(shot);
     };
-    const auto run = [&job, camera, file, style, natural]() -> Made {
+    const auto run = [&job, frame, file, style, natural](Graph&) -> StepResult {
         make_folder(job.folder / "frames");
-        const Terrain& terrain = job.land.drawn();
-        const render::Shot shot = shot_of(camera, job, job.spec, terrain);
-        render::ColourOptions colour = job.spec.render.colour;
-        colour.exposure += camera.exposure;
+        const auto land = job.land.drawn();
+        const render::Shot shot =
+            shot_of(frame.camera, *frame.scene, job.request.quality, *land);
+        render::ColourOptions colour = frame.scene->render.colour;
+        colour.exposure += frame.camera.exposure;
         write_png(job.folder / file,
                   style == render::Style::kNatural
-                      ? render::picture_of(natural(shot, terrain), colour)
-                      : render::diagram(shot, terrain, style));
+                      ? render::picture_of(natural(shot, *land), colour)
+                      : render::diagram(shot, *land, style));
         return {{file}};
     };
-    return {.name = fmt::format("preview {} {}", camera.name, name_of(style)),
-            .goal = Goal::kFrames,
-            .memory = memory::of_passes(job.drawn_cells(), pixels),
+    return {.id = preview_id(job, frame.camera.name),
+            .memory = memory::of_passes(job.drawn_cells(), pixels_of(frame.camera)),
             .key = key,
-            .run = run};
+            .run = run,
+            .writes = [file] { return std::vector{file}; }};
 }
 
 }  // namespace
 
-std::vector<Step> preview_steps(Job& job) {
-    const auto land = std::make_shared<std::optional<render::PreviewLand>>();
+std::string preview_id(const Job& job, const std::string& frame) {
+    return fmt::format("preview {} {}", frame, name_of(*job.request.preview));
+}
+
+std::vector<Step> preview_steps(const Job& job) {
+    if (!job.request.preview) return {};
+    const auto shared = std::make_shared<std::optional<render::PreviewLand>>();
     std::vector<Step> steps;
-    for (const render::CameraOptions& camera : job.cameras())
-        steps.push_back(preview_step(job, camera, land));
+    for (const Frame& still : stills_of(job))
+        steps.push_back(preview_step(job, still, shared));
     return steps;
 }
 

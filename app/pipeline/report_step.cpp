@@ -1,13 +1,11 @@
-// Fills the page's struct (render/report) from what the steps left in ledger and folder.
+// Fills the struct of the page (render/report) from the ledger and the files of steps.
 #include "app/pipeline/report_step.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/shadow_report.h"
 #include "field/data.h"
@@ -20,59 +18,42 @@ namespace cydonia {
 namespace {
 
 constexpr int kFramePixels = 1440, kPicturePixels = 960, kMaskPixels = 384;
-// A longer video is played from its file beside the page.
+// Bytes. A larger video is not embedded but played from its file.
 constexpr std::uint64_t kCarriedVideo = 3u << 19;  // 1.5 MB
 
 struct Finished {
-    std::string name;
-    Entry entry;
+    std::string id;
+    StepRecord record;
 };
 using All = std::vector<Finished>;
 
-// Of a sequence, whose keys take time to tell: most scenes have none.
-bool never_filmed(const Step& step, const std::vector<Step>& steps,
-                  const Ledger& ledger) {
-    if (step.goal <= Goal::kFrames) return false;
-    return std::ranges::none_of(steps, [&](const Step& other) {
-        return other.goal == step.goal && !ledger.outputs_of(other.name).empty();
-    });
-}
-
-All finished_of(const std::vector<Step>& steps, const Job& job) {
+All finished_of(Graph& graph) {
     All all;
-    for (const Step& step : steps) {
-        if (never_filmed(step, steps, job.ledger)) continue;
-        if (const Entry* entry = job.ledger.finished(step.name, step.key()))
-            all.push_back({step.name, *entry});
-    }
+    for (const Need& need : graph.step(kReportStep).needs)
+        if (const StepRecord* record = graph.finished(need.id))
+            all.push_back({need.id, *record});
     return all;
 }
 
-const Entry* find(const All& all, const std::string& name) {
-    const auto found = std::ranges::find(all, name, &Finished::name);
-    return found == all.end() ? nullptr : &found->entry;
+const StepRecord* find(const All& all, const std::string& id) {
+    const auto found = std::ranges::find(all, id, &Finished::id);
+    return found == all.end() ? nullptr : &found->record;
 }
 
-std::uint64_t key_of(const All& all, const Job& job) {
-    std::string text =
-        fmt::format("report {:016x} {} {} {:016x}", job.program, job.spec.title,
-                    job.spec.seed, hash_text(render::three_js()));
-    for (const std::string& line : job.request.overrides) text += '\n' + line;
-    for (const Finished& step : all) {
-        text += fmt::format("\n{} {:016x}", step.name, step.entry.key);
-        for (const std::uint64_t size : step.entry.sizes)
-            text += fmt::format(" {}", size);
-    }
+// Everything on the page apart from the results of steps.
+Key key_of(const Job& job) {
+    KeyBuilder key("report");
+    key.add(job.program).add(job.spec->title).add(job.spec->seed);
+    key.add(job.request.overrides).add(hash_of_bytes(render::three_js()));
     std::vector<fs::path> data;
     for (const auto& file : fs::directory_iterator(data_folder("report")))
         data.push_back(file.path());
     std::ranges::sort(data);
-    for (const fs::path& file : data)
-        text += fmt::format("\n{:016x}", hash_of_file(file));
-    return hash_text(text);
+    for (const fs::path& file : data) key.add(hash_of_file(file));
+    return key.key();
 }
 
-// "terrain.stage[0]" and so on before each of its keys, as they stand in scene files.
+// The scene in canonical form, as in a scene file.
 std::string scene_text(const config::SceneSpec& spec) {
     std::string text = fmt::format(
         "title = {}\nseed = {}\n\n[terrain]\nextent = [{}, {}]  # metres\nsamples = {}\n",
@@ -89,7 +70,7 @@ std::string spaced(std::string name) {
     return name;
 }
 
-// Every figure below `json` as a row of its own.
+// Adds a row for every value in `json`, however deep.
 void add_rows(const std::string& name, const Json& json,
               std::vector<render::ReportRow>& rows) {
     const auto below = [&](const std::string& part) {
@@ -124,12 +105,12 @@ std::vector<render::ReportTable> figures_of(const All& all) {
         if (!table.rows.empty()) tables.push_back(std::move(table));
     };
     for (const Finished& step : all) {
-        if (step.name == "check") {
-            for (const Json& image : step.entry.result.at("images"))
+        if (step.id == "check") {
+            for (const Json& image : step.record.result.at("images"))
                 add(fmt::format("Shadow of {}", image.at("name").get<std::string>()),
                     image);
-        } else if (!step.name.starts_with("plan ")) {  // a line for every frame
-            add(step.name, step.entry.result);
+        } else if (!step.id.starts_with("plan ")) {  // too long: a line for every frame
+            add(step.id, step.record.result);
         }
     }
     return tables;
@@ -144,7 +125,7 @@ std::string verdict_of(const render::ShadowReport& report) {
         report.passed() ? "" : ", and it falls short");
 }
 
-// A picture of black and white as flags of the land's shape.
+// A black and white picture, scaled to the land: 1 where it is dark, or else white.
 Field<std::uint8_t> flags_of(const fs::path& picture, const Field<float>& land,
                              bool dark) {
     const Field<float> grey =
@@ -158,12 +139,12 @@ Field<std::uint8_t> flags_of(const fs::path& picture, const Field<float>& land,
 
 class Filling {
   public:
-    Filling(Job& job, const All& all) : job_(job), all_(all) {}
+    Filling(const Job& job, const All& all) : job_(job), all_(all) {}
 
     render::Report filled() {
-        report_.title = job_.spec.title;
+        report_.title = job_.spec->title;
         report_.version = kVersion;
-        report_.scene = scene_text(job_.spec);
+        report_.scene = scene_text(*job_.spec);
         report_.three = render::three_js();
         report_.figures = figures_of(all_);
         add_land();
@@ -181,7 +162,7 @@ class Filling {
     }
 
     void add_land() {
-        const Entry* land = find(all_, "terrain");
+        const StepRecord* land = find(all_, "terrain");
         if (!land) return;
         const Json& measured = land->result;
         const auto number = [&](const char* name, int i) {
@@ -194,7 +175,7 @@ class Filling {
                          {"Heights", fmt::format("{:.0f} to {:.0f} m",
                                                  measured.at("lowest").get<double>(),
                                                  measured.at("highest").get<double>())},
-                         {"Seed", fmt::format("{}", job_.spec.seed)},
+                         {"Seed", fmt::format("{}", job_.spec->seed)},
                          {"Quality", std::string(name_of(job_.request.quality))}};
 
         Field<float> heights = read_exr(job_.folder / "terrain.exr");
@@ -210,7 +191,7 @@ class Filling {
         }
         if (std::min(heights.width(), heights.height()) >= 2)
             report_.heights = std::move(heights);
-        report_.sun = job_.spec.render.sun.value_or(Sun{radians(315.0), radians(35.0)});
+        report_.sun = job_.spec->render.sun.value_or(Sun{radians(315.0), radians(35.0)});
 
         report_.relief.push_back(picture("preview.png", "shaded relief", kPicturePixels));
         for (const std::string& file : land->outputs) {
@@ -223,7 +204,7 @@ class Filling {
     }
 
     void add_images() {
-        const Entry* check = find(all_, "check");
+        const StepRecord* check = find(all_, "check");
         if (!check) return;
         const Json& images = check->result.at("images");
         for (const Json& json : images) {
@@ -254,9 +235,9 @@ class Filling {
 
     void add_frames() {
         for (const Finished& step : all_) {
-            if (!step.name.starts_with("deliver ") && !step.name.starts_with("preview "))
+            if (!step.id.starts_with("deliver ") && !step.id.starts_with("preview "))
                 continue;
-            for (const std::string& file : step.entry.outputs)
+            for (const std::string& file : step.record.outputs)
                 if (file.ends_with(".png"))
                     report_.frames.push_back(
                         picture(file, fs::path(file).stem().string(), kFramePixels));
@@ -265,18 +246,18 @@ class Filling {
 
     void add_videos() {
         for (const Finished& step : all_) {
-            if (!step.name.starts_with("video ")) continue;
-            for (const std::string& file : step.entry.outputs)
+            if (!step.id.starts_with("video ")) continue;
+            for (const std::string& file : step.record.outputs)
                 if (file.ends_with(".mp4")) report_.videos.push_back(video(file));
         }
     }
 
-    // Its poster is the frame on which it stands still, else its first.
+    // The poster is the frame at which the video pauses, else the first.
     render::ReportVideo video(const std::string& file) const {
         const std::string name = fs::path(file).stem().string();
         const std::string sequence = name.substr(0, name.find('-'));
         std::string number = "-0001";
-        if (const Entry* plan = find(all_, "plan " + sequence))
+        if (const StepRecord* plan = find(all_, "plan " + sequence))
             number =
                 plan->result.at("key_frame").get<std::string>().substr(sequence.size());
         render::ReportVideo video{name, file, {}, {}};
@@ -292,41 +273,33 @@ class Filling {
     void add_steps() {
         const auto stages = static_cast<std::size_t>(job_.land.stages());
         for (const Finished& step : all_) {
-            const std::size_t number = std::strtoul(step.name.c_str(), nullptr, 10);
+            const std::size_t number = std::strtoul(step.id.c_str(), nullptr, 10);
             const bool stage = number >= 1 && number <= stages;
             (stage ? report_.stages : report_.other_steps)
-                .push_back({step.name, step.entry.seconds,
-                            stage ? job_.spec.stages[number - 1].text : ""});
+                .push_back({step.id, step.record.seconds,
+                            stage ? job_.spec->stages[number - 1].text : ""});
         }
     }
 
-    Job& job_;
+    const Job& job_;
     const All& all_;
     render::Report report_;
 };
 
 }  // namespace
 
-Step report_step(Job& job, std::vector<Step> shown) {
-    const auto steps = std::make_shared<const std::vector<Step>>(std::move(shown));
-    const auto all = std::make_shared<All>();  // as the key saw them
-    std::uint64_t pixels = 0;
-    for (const render::CameraOptions& camera : job.cameras())
-        pixels = std::max(pixels, static_cast<std::uint64_t>(camera.size[0]) *
-                                      static_cast<std::uint64_t>(camera.size[1]));
-    return {.name = "report",
-            .goal = Goal::kReport,
-            .memory = memory::of_export(job.cells()) + memory::of_delivery(pixels),
-            .key =
-                [&job, steps, all] {
-                    *all = finished_of(*steps, job);
-                    return key_of(*all, job);
-                },
-            .run = [&job, all]() -> Made {
-                write_text(job.folder / "report.html",
-                           render::report_page(Filling(job, *all).filled()));
-                return {{"report.html"}};
-            }};
+Step report_step(const Job& job) {
+    const auto run = [&job](Graph& graph) -> StepResult {
+        const All all = finished_of(graph);
+        write_text(job.folder / "report.html",
+                   render::report_page(Filling(job, all).filled()));
+        return {{"report.html"}};
+    };
+    return {
+        .id = kReportStep,
+        .memory = memory::of_export(job.cells()) + memory::of_delivery(most_pixels(job)),
+        .key = [&job] { return key_of(job); },
+        .run = run};
 }
 
 }  // namespace cydonia

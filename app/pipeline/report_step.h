@@ -1,13 +1,11 @@
 #pragma once
 
-#include <vector>
-
-#include "app/pipeline/job.h"
+#include "app/pipeline/steps.h"
 
 namespace cydonia {
 
-// report.html: one page of what those steps made, as far as they are finished. Made again
-// when any of it has changed.
-Step report_step(Job& job, std::vector<Step> shown);
+// Makes report.html, one page that shows the results of all finished steps that it is
+// connected to. It is made again when any of them has changed.
+Step report_step(const Job& job);
 
 }  // namespace cydonia

@@ -30,7 +30,7 @@ Json json_of(const render::OtherSun& other) {
     return json;
 }
 
-// Less the base's own where there is one.
+// Relative to the base's own, if that is known.
 Json hidden(const render::ShadowFigures& figures) {
     Json json = {{"correlation_raised", rounded(hiddenness(figures, 0.0))},
                  {"outline", rounded(outline_ratio(figures))},

@@ -17,7 +17,8 @@ namespace cydonia {
 namespace {
 
 constexpr std::string_view kPrefix = "stage-";
-constexpr const char* kRuns = ".runs";  // the keys of the last one and the one before
+constexpr const char* kRuns =
+    ".runs";  // holds the keys of the last run and the one before
 
 void remove_where(const fs::path& folder,
                   const std::function<bool(const std::string& name)>& goes) {

@@ -5,31 +5,53 @@
 #include <string>
 #include <vector>
 
+#include "app/pipeline/key.h"
 #include "app/pipeline/ledger.h"
-#include "app/request.h"
 
 namespace cydonia {
 
-// What running a step gives: files, relative to the output folder, and what it learned.
-struct Made {
-    std::vector<std::string> outputs;
-    Json result = Json::object();
+class Graph;
+
+// How a step depends on another one.
+enum class Use {
+    // On everything that goes into it: the other's key is part of this step's key.
+    kAll,
+    // On the bytes of its files only. If the other runs again and writes the same bytes,
+    // this step stays finished.
+    kFiles,
+    // On its being done and having passed its gate. Nothing of it is part of the key.
+    kDone,
+    // On its results, if it is finished. If both run, the other runs first, but it is not
+    // run for this step's sake.
+    kShown,
 };
 
-// One line of the plan.
+struct Need {
+    std::string id;  // of the other step
+    Use use = Use::kAll;
+};
+
+struct StepResult {
+    std::vector<std::string> outputs;  // files, relative to the output folder
+    Json result = Json::object();      // what the step measured or chose
+};
+
+// A unit of work, done once for the same key.
 struct Step {
-    std::string name;          // "check", "trace overhead"
-    Goal goal;                 // the first goal that needs it
+    std::string id;  // "check", "trace overhead"; the user reads it too
+    std::vector<Need> needs = {};
     std::uint64_t memory = 0;  // predicted peak, bytes
-    // A hash of everything that goes in. Asked when the step's turn comes: it may read
-    // what earlier steps wrote.
-    std::function<std::uint64_t()> key;
-    std::function<Made()> run;
-    // Looks at the result, also of a step that was finished before, and throws to stop
-    // here.
+    // The key of everything else that goes into the step. It is asked for once.
+    std::function<Key()> key = {};
+    // Does the work. All needs of the step are finished in `graph`.
+    std::function<StepResult(Graph& graph)> run = {};
+    // Looks at the result, also if the step was finished before. Throws to stop the run.
     std::function<void(const Json& result)> gate = {};
-    // Refuses or warns before any work begins; asked only of a step that will run.
+    // Refuses or warns before any work begins, if the step will run.
     std::function<void()> before = {};
+    // The files that it will write, as far as their names follow from the scene. Two
+    // steps may not write the same file. Throws bad_request as `before` does.
+    std::function<std::vector<std::string>()> writes = {};
 };
 
 }  // namespace cydonia

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/cache.h"
-#include "app/pipeline/job.h"
 #include "app/pipeline/memory.h"
+#include "app/pipeline/steps.h"
 #include "app/threads.h"
 #include "field/dem.h"
 #include "field/file_names.h"
@@ -44,7 +43,7 @@ Json measured(const Terrain& terrain) {
             {"figures", terrain.figures}};
 }
 
-// Not those of one among many ("error of 'rim', m"): the manifest has all.
+// Figures of single features, such as "error of 'rim', m", are left to the manifest.
 void say_figures(const Terrain& terrain, Progress& progress) {
     std::size_t left = 0;
     for (const auto& [name, value] : terrain.figures) {
@@ -56,12 +55,13 @@ void say_figures(const Terrain& terrain, Progress& progress) {
     if (left > 0) progress.note(fmt::format("and {} more in manifest.json", left));
 }
 
-Made export_terrain(Job& job) {
-    const Terrain& terrain = job.land.finished();
+StepResult export_terrain(const Job& job) {
+    const auto land = job.land.finished();
+    const Terrain& terrain = *land;
     Metadata metadata = job.metadata();
     metadata["cydonia:spacing"] = fmt::format("{}", terrain.spacing);
 
-    Made made{{"terrain.exr", "terrain.tif", "preview.png"}, measured(terrain)};
+    StepResult made{{"terrain.exr", "terrain.tif", "preview.png"}, measured(terrain)};
     write_exr(job.folder / "terrain.exr", terrain.heights, "Y", metadata);
     write_geotiff(job.folder / "terrain.tif", terrain);
     write_png(job.folder / "preview.png", render::hillshade(terrain));
@@ -85,11 +85,7 @@ Made export_terrain(Job& job) {
 }
 
 const StageOptions& options_of(const Job& job, int stage) {
-    return job.spec.stages[static_cast<std::size_t>(stage - 1)].options;
-}
-
-std::string stage_name(const Job& job, int stage) {
-    return fmt::format("{} {}", stage, method_of(options_of(job, stage)).name);
+    return job.spec->stages[static_cast<std::size_t>(stage - 1)].options;
 }
 
 std::uint64_t stage_memory(const Job& job, int stage) {
@@ -97,9 +93,9 @@ std::uint64_t stage_memory(const Job& job, int stage) {
                             static_cast<std::uint64_t>(thread_count()));
 }
 
-Made explain_stage(Job& job, int stage) {
+StepResult explain_stage(const Job& job, int stage) {
     make_folder(job.folder / "explain");
-    Made made;
+    StepResult made;
     const auto place = [&](const std::string& name, const char* extension) {
         made.outputs.push_back(fmt::format("explain/{}-{}.{}", stage, name, extension));
         return job.folder / made.outputs.back();
@@ -111,56 +107,63 @@ Made explain_stage(Job& job, int stage) {
                             write_text(place(name, "csv"), csv);
                         }};
     job.land.explained(stage, sinks);
-    if (made.outputs.empty()) {
-        job.progress.note(stage_name(job, stage) + ": nothing to explain");
-    }
+    if (made.outputs.empty())
+        job.progress.note(stage_id(job, stage) + ": nothing to explain");
     return made;
 }
 
-std::string explain_name(const Job& job, int stage) {
-    return "explain " + stage_name(job, stage);
-}
-
-Step explain_step(Job& job, int stage) {
-    return {explain_name(job, stage), Goal::kTerrain,
-            stage_memory(job, stage) + 16 * job.cells(),
-            [&job, stage] {
-                return hash_text(fmt::format("explain {:016x} {:016x}",
-                                             job.land.key(stage), job.program));
-            },
-            [&job, stage] { return explain_stage(job, stage); }};
-}
-
-Made make_stage(Job& job, int stage) {
-    job.land.after(stage);
-    // Pictures of the land as it was are worse than none.
-    const std::string explanation = explain_name(job, stage);
-    if (!job.request.explain && !job.ledger.outputs_of(explanation).empty()) {
-        job.ledger.record(explanation, {});
-    }
+StepResult make_stage(const Job& job, int stage, Ledger& ledger) {
+    job.land.get(stage);
+    // Explanations of an earlier land would mislead: they are removed.
+    const std::string explanation = explain_id(job, stage);
+    if (!job.request.explain && !ledger.outputs_of(explanation).empty())
+        ledger.record(explanation, {});
     return {};
 }
 
 }  // namespace
 
-std::vector<Step> stage_steps(Job& job) {
-    std::vector<Step> steps;
-    for (int stage = 1; stage <= job.land.stages(); ++stage) {
-        if (job.request.explain) steps.push_back(explain_step(job, stage));
-        steps.push_back({stage_name(job, stage), Goal::kTerrain, stage_memory(job, stage),
-                         [&job, stage] { return job.land.key(stage); },
-                         [&job, stage] { return make_stage(job, stage); }});
-    }
-    return steps;
+std::string stage_id(const Job& job, int stage) {
+    return fmt::format("{} {}", stage, method_of(options_of(job, stage)).name);
 }
 
-Step export_step(Job& job) {
-    return {"terrain", Goal::kTerrain, memory::of_export(job.cells()),
-            [&job] {
-                return hash_text(fmt::format("{:016x} {:016x} {}", job.land.key(),
-                                             job.program, job.spec.name));
-            },
-            [&job] { return export_terrain(job); }};
+std::string explain_id(const Job& job, int stage) {
+    return "explain " + stage_id(job, stage);
+}
+
+Step stage_step(const Job& job, int stage) {
+    return {.id = stage_id(job, stage),
+            .memory = stage_memory(job, stage),
+            .key = [&job, stage] { return job.land.key(stage); },
+            .run = [&job, stage](
+                       Graph& graph) { return make_stage(job, stage, graph.ledger()); }};
+}
+
+Step explain_step(const Job& job, int stage) {
+    return {.id = explain_id(job, stage),
+            .memory = stage_memory(job, stage) + 16 * job.cells(),
+            .key =
+                [&job, stage] {
+                    return KeyBuilder("explain")
+                        .add(job.program)
+                        .add(job.land.key(stage))
+                        .key();
+                },
+            .run = [&job, stage](Graph&) { return explain_stage(job, stage); }};
+}
+
+Step export_step(const Job& job) {
+    return {.id = kExportStep,
+            .memory = memory::of_export(job.cells()),
+            .key =
+                [&job] {
+                    return KeyBuilder("terrain")
+                        .add(job.program)
+                        .add(job.land.key())
+                        .add(job.spec->name)
+                        .key();
+                },
+            .run = [&job](Graph&) { return export_terrain(job); }};
 }
 
 }  // namespace cydonia

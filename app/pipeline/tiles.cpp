@@ -7,7 +7,6 @@
 #include <set>
 #include <system_error>
 
-#include "app/pipeline/cache.h"
 #include "app/pipeline/memory.h"
 #include "app/pipeline/output_folder.h"
 #include "app/threads.h"
@@ -45,17 +44,16 @@ struct Grid {
 };
 
 Grid grid_of(const Job& job) {
-    return {job.land.width(), job.land.height(), job.spec.terrain.tiles};
+    return {job.land.width(), job.land.height(), job.spec->terrain.tiles};
 }
 
 fs::path file_of(const Job& job, const Tile& tile) {
     return job.folder / kFolder / fmt::format("tile-{}-{}.tif", tile.column, tile.row);
 }
 
-// What a tile's file must say that it was made from.
+// The key that is stored in a tile's file.
 std::string key_of(const Job& job, const Tile& tile) {
-    return hex(
-        hash_text(fmt::format("tile {:016x} {} {}", job.land.key(), tile.x, tile.y)));
+    return hex(KeyBuilder("tile").add(job.land.key()).add(tile.x).add(tile.y).key());
 }
 
 TiledShape shape_of(const Job& job) {
@@ -82,7 +80,7 @@ Field<float> read_or_made(const Job& job, const Tile& tile, Progress& progress) 
     return made(job, tile, progress);
 }
 
-// Of all tiles one bar; what each of them says is said once.
+// One bar for all tiles. A sentence that several tiles say is shown once.
 class TilesProgress final : public Progress {
   public:
     TilesProgress(Progress& sink, int tiles) : sink_(sink), tiles_(tiles) {}
@@ -105,7 +103,7 @@ class TilesProgress final : public Progress {
     std::set<std::string, std::less<>> said_;
 };
 
-// The whole land with its samples averaged, few enough for a picture.
+// The whole land, averaged to few enough samples for a picture.
 class Overview {
   public:
     explicit Overview(const TiledShape& shape) : shape_(shape) {
@@ -140,8 +138,8 @@ class Overview {
     Terrain land_;
 };
 
-// What processes that were killed, or a land of more tiles, left behind. The folder is
-// ours alone.
+// Removes what killed processes or a land with more tiles left behind. No other process
+// works in the folder.
 void clear_leftovers(const Job& job) {
     const auto is_temporary = [](const fs::path& file) {
         const std::string name = file.filename().string();
@@ -161,7 +159,7 @@ void clear_leftovers(const Job& job) {
         if (is_temporary(entry)) fs::remove(entry, none);
 }
 
-Overview put_together(Job& job, const fs::path& tif, const fs::path& exr) {
+Overview put_together(const Job& job, const fs::path& tif, const fs::path& exr) {
     const Grid grid = grid_of(job);
     Metadata metadata = job.metadata();
     metadata["cydonia:spacing"] = fmt::format("{}", job.land.spacing());
@@ -181,7 +179,7 @@ Overview put_together(Job& job, const fs::path& tif, const fs::path& exr) {
     return overview;
 }
 
-Made make_terrain(Job& job) {
+StepResult make_terrain(const Job& job) {
     clear_leftovers(job);
     Json result;
     write_atomically(job.folder / "terrain.tif", [&](const fs::path& tif) {
@@ -203,7 +201,7 @@ Made make_terrain(Job& job) {
 std::uint64_t memory_of(const Job& job) {
     const Grid grid = grid_of(job);
     const Tile largest = grid.at(0, 0);
-    return memory::of_tile(job.spec.stage_options(),
+    return memory::of_tile(job.spec->stage_options(),
                            {job.land.width(), job.land.height(), job.land.spacing()},
                            largest.width, largest.height,
                            static_cast<std::uint64_t>(thread_count()));
@@ -213,7 +211,7 @@ std::uint64_t memory_of(const Job& job) {
 
 void check_request(const Job& job, Goal goal) {
     const Request& request = job.request;
-    if (job.spec.terrain.tiles == 0) {
+    if (job.spec->terrain.tiles == 0) {
         if (!request.tile) return;
         throw bad_request("--tile: {} has no tiles; give [terrain] tiles = 2048",
                           request.scene.string());
@@ -230,21 +228,26 @@ void check_request(const Job& job, Goal goal) {
                           grid.columns() - 1, grid.rows() - 1);
 }
 
-Step tiles_step(Job& job) {
-    return {"terrain", Goal::kTerrain, memory_of(job),
-            [&job] {
-                return hash_text(fmt::format("tiles {:016x} {:016x} {} {}",
-                                             job.land.key(), job.program, job.spec.name,
-                                             job.spec.terrain.tiles));
-            },
-            [&job] { return make_terrain(job); }};
+Step tiles_step(const Job& job) {
+    const auto key = [&job] {
+        return KeyBuilder("tiles")
+            .add(job.program)
+            .add(job.land.key())
+            .add(job.spec->name)
+            .add(job.spec->terrain.tiles)
+            .key();
+    };
+    return {
+        .id = kExportStep, .memory = memory_of(job), .key = key, .run = [&job](Graph&) {
+            return make_terrain(job);
+        }};
 }
 
-void make_tile(Job& job) {
+void make_tile(const Job& job) {
     const auto [column, row] = *job.request.tile;
     const Tile tile = grid_of(job).at(column, row);
     if (is_made(job, tile))
-        return job.progress.note(fmt::format("tile {},{} is there already", column, row));
+        return job.progress.note(fmt::format("tile {},{} exists already", column, row));
     memory::refuse_unless_it_fits(memory_of(job), memory::available());
     const OutputFolder claim(job.folder, OutputFolder::Claim::kShared);
     made(job, tile, job.progress);

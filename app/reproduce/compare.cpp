@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/pipeline/cache.h"
+#include "app/pipeline/key.h"
 
 namespace fs = std::filesystem;
 
@@ -28,14 +28,14 @@ void add(Difference& d, const std::vector<float>& a, const std::vector<float>& b
     for (std::size_t i = 0; i < a.size(); ++i) {
         const bool same = a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]));
         const double by = same ? 0.0 : std::abs(double(a[i]) - double(b[i]));
-        // A number beside none (infinity) is as far as can be.
+        // A number and a NaN differ infinitely.
         d.sum += std::isfinite(by) ? by * by : 1e12;
         d.most = std::max(d.most, std::isfinite(by) ? by : 1e6);
     }
     d.values += a.size();
 }
 
-// Over all parts of both; nothing when they cannot be read or are not of one shape.
+// Over all parts of both images; none if they cannot be read or differ in shape.
 std::optional<Difference> difference_of(const fs::path& first, const fs::path& again) {
     const auto a = OIIO::ImageInput::open(first.string());
     const auto b = OIIO::ImageInput::open(again.string());
@@ -63,7 +63,7 @@ bool is_one_of(const fs::path& file, std::initializer_list<const char*> extensio
     return std::ranges::find(extensions, file.extension().string()) != extensions.end();
 }
 
-// Heights, whatever their format, and what goes to other programs.
+// Heights in any format, and files for other programs.
 bool is_by_bytes(const fs::path& file) {
     return *file.begin() == "export" || file.stem() == "terrain" ||
            !is_one_of(file, {".png", ".exr", ".jpg"});

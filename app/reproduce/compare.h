@@ -7,12 +7,12 @@
 
 namespace cydonia {
 
-// How a file that was made again is like the first one, the best first.
+// How close a file that was made again is to the first one, the closest first.
 enum class Likeness {
-    kEqual,        // every byte
-    kSamePixels,   // every pixel, but not every byte: headers carry dates
-    kAlike,        // within what POV-Ray's radiosity differs by from run to run
-    kNotCompared,  // holds timings or is a video, which its frames decide
+    kEqual,        // in every byte
+    kSamePixels,   // in every pixel; headers carry dates
+    kAlike,        // as close as POV-Ray's radiosity is from run to run
+    kNotCompared,  // has timings in it, or is a video, whose frames are compared
     kDifferent,
     kMissing,  // was not made again
 };
@@ -22,13 +22,13 @@ struct Comparison {
     std::string detail;  // "rms 0.012, at most 0.31"; may be empty
 };
 
-// Root mean square of the differences of pixel values, 0 to 1, up to which frames of
-// preview and final quality are alike.
+// Frames of preview and final quality are alike up to this root mean square difference of
+// pixel values, which are 0 to 1.
 inline constexpr double kAlikeRms = 0.02;
 
-// `first` is where the manifest found the file and `again` where it was made now. Heights
-// are compared by bytes and pictures by pixels; `jittered`: a frame that POV-Ray's
-// radiosity drew.
+// Compares the file that the manifest describes, `first`, with the one made now, `again`:
+// heights by bytes, pictures by pixels. `jittered` frames were lit by POV-Ray's radiosity
+// and need only be alike.
 Comparison compare(const ManifestFile::Output& output, const std::filesystem::path& first,
                    const std::filesystem::path& again, bool jittered);
 

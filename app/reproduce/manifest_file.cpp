@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostOutputs = 1'000'000;
 
-// A plain name below the folder; nothing else is read or compared.
+// Accepts paths below the folder; no other file is read or compared.
 std::string below(const std::string& file) {
     const fs::path path(file);
     if (path.empty() || path.is_absolute() || std::ranges::find(path, "..") != path.end())
@@ -40,7 +40,7 @@ void read_outputs(const Json& outputs, ManifestFile& manifest) {
         manifest.outputs.push_back({below(output.at("file")), output.at("xxh3")});
 }
 
-// What became of an input; empty: nothing.
+// How an input has changed; empty if it has not.
 std::string change_of(const Json& input, const fs::path& folder) {
     const fs::path path = (folder / input.at("path").get<std::string>());
     try {
@@ -60,17 +60,17 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-// The first lines of canonical text that differ, as the scene reads them now.
+// Adds the first line of the canonical text that the scene reads differently now.
 void compare_text(const Json& then, const Json& now, const std::string& where,
                   std::vector<std::string>& changes) {
     if (then == now) return;
     const auto before = lines_of(then.get<std::string>());
     for (const std::string& line : lines_of(now.get<std::string>()))
         if (std::ranges::find(before, line) == before.end()) {
-            changes.push_back(fmt::format("{}: {} was otherwise", where, line));
+            changes.push_back(fmt::format("{}: {} was different then", where, line));
             return;
         }
-    changes.push_back(fmt::format("{}: fewer keys than then", where));
+    changes.push_back(fmt::format("{}: has fewer keys than then", where));
 }
 
 void compare_options(const Json& then, const Json& now,
@@ -82,7 +82,7 @@ void compare_options(const Json& then, const Json& now,
     for (const char* key : {"render", "frames"})
         compare_text(then.at(key), now.at(key), key, changes);
     if (then.at("stages").size() != now.at("stages").size()) {
-        changes.push_back("another number of stages than then");
+        changes.push_back("the number of stages is not what it was then");
         return;
     }
     for (std::size_t i = 0; i < now.at("stages").size(); ++i)
@@ -109,7 +109,7 @@ ManifestFile read_manifest(const fs::path& file) try {
     Command command = command_of(json.at("command"));
     manifest.goals = std::move(command.goals);
     manifest.request = std::move(command.request);
-    manifest.request.force = true;  // what fell short then falls short again
+    manifest.request.force = true;  // a check that fell short will do so again
     manifest.request.scene =
         (manifest.folder / json.at("inputs").at("scene").at("path").get<std::string>())
             .lexically_normal();
@@ -137,7 +137,7 @@ std::vector<std::string> check_inputs(const ManifestFile& manifest) try {
         compare_options(manifest.json.at("options"), options_of(scene.at(0.0)), changes);
     }
     if (!changes.empty())
-        throw bad_request("what it was made from is not there any more:\n  {}",
+        throw bad_request("the scene is not what it was made from:\n  {}",
                           fmt::join(changes, "\n  "));
 
     std::vector<std::string> notes;

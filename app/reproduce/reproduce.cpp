@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-// Not among the files that it is to be compared with.
+// Where to make the files again: not in the folder that they are compared with.
 fs::path folder_for(const ManifestFile& manifest, const std::optional<fs::path>& asked) {
     if (asked) {
         if (fs::weakly_canonical(*asked) == fs::weakly_canonical(manifest.folder))
@@ -30,7 +30,7 @@ fs::path folder_for(const ManifestFile& manifest, const std::optional<fs::path>&
     return name;
 }
 
-// POV-Ray's radiosity is not the same from run to run (docs/rendering.md).
+// POV-Ray's radiosity differs from run to run (docs/rendering.md).
 bool is_jittered(const ManifestFile& manifest, const std::string& file) {
     const fs::path top = *fs::path(file).begin();
     return manifest.request.quality != render::Quality::kDraft &&
@@ -38,7 +38,7 @@ bool is_jittered(const ManifestFile& manifest, const std::string& file) {
            file.find('/') != file.npos;
 }
 
-// Prints the table; gives how many files differ.
+// Prints the table and returns how many files differ.
 std::size_t print_comparison(const ManifestFile& manifest, const fs::path& folder) {
     std::map<std::string, std::size_t> counts;
     std::size_t longest = 4, failures = 0;

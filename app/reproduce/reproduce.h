@@ -7,10 +7,10 @@
 
 namespace cydonia {
 
-// Makes everything of a manifest again, in `output` or else in a temporary folder that is
-// removed when nothing differs, and prints how each file compares. Throws bad_request for
-// a manifest that cannot be followed, and an Error of ExitCode::kCheckFellShort when a
-// file differs.
+// Makes all files of a manifest again and prints how each compares with the first. They
+// go to `output`, or else to a temporary folder that is removed if nothing differs.
+// Throws bad_request for a manifest that cannot be followed, and an Error with
+// ExitCode::kCheckFellShort if a file differs.
 void reproduce(const std::filesystem::path& manifest,
                const std::optional<std::filesystem::path>& output, Console& console);
 

@@ -12,17 +12,17 @@
 namespace cydonia {
 namespace {
 
-// Lower suns light nothing but crests.
+// Lower suns light only crests.
 constexpr double kLowest = radians(2.0);
-// So near to where it is wanted the sun shows the image; a degree moves the end of a
-// shadow by a twentieth of its length at an elevation of 25.
+// The sun shows the image from within this angle. At an elevation of 25 degrees, one
+// degree moves the end of a shadow by a twentieth of its length.
 constexpr double kNear = radians(1.0);
-// Farther than this nothing of it is to be seen: the day is filmed around noon.
+// From farther away the image cannot be made out, and the day is filmed around noon.
 constexpr double kGlimpsed = radians(5.0);
-// Nearer than this is there: what a camera sees of the sun is half a degree wide.
+// Nearer than this counts as exact: the sun is half a degree wide.
 constexpr double kThere = radians(0.02);
 
-// A path of the sun, and how its hours are told.
+// A path of the sun, and the kind of clock for its hours.
 struct Course {
     SunPath path;
     std::string clock;  // " (UTC+2)", " by a sundial"
@@ -52,17 +52,17 @@ Course arc_course(const Sun& sun) {
     return {sun_path(arc.latitude, arc.declination), " by a sundial", false};
 }
 
-// As low as the sun of the image, at least.
+// The sun's lowest elevation in the film, radians: low enough for the first image.
 double lowest_sun(const std::vector<ShadowImage>& images) {
     return images.empty() ? kLowest
                           : std::min(kLowest, 0.5 * images.front().sun.elevation);
 }
 
-// From the first hour to the last, through the hour of the key shot.
+// The hour of each frame: from the first to the last, through that of the key frame.
 std::vector<double> hours_of(const Hours& day, double key_hour, int key, int count,
                              config::FramesSpec::Pace pace) {
-    // The sun slows down to the image and speeds up from it: 7 frames of 48 see it within
-    // 5 degrees, where an even pace has 2.
+    // The sun slows down towards the image: 7 of 48 frames have it within 5 degrees,
+    // where an even pace has 2.
     const double power = pace == config::FramesSpec::Pace::kLingering ? 1.5 : 1.0;
     std::vector<double> hours;
     for (int i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ std::vector<double> hours_of(const Hours& day, double key_hour, int key, int cou
     return hours;
 }
 
-// The frame whose even hour is the nearest; between the ends where there is room.
+// The frame whose hour at an even pace is the nearest, but not the first or the last.
 int key_frame(const Hours& day, double key_hour, int count) {
     const double length = day.to - day.from;
     const double part = length > 0.0 ? (key_hour - day.from) / length : 0.5;
@@ -83,8 +83,8 @@ int key_frame(const Hours& day, double key_hour, int count) {
     return count < 3 ? std::clamp(key, 0, count - 1) : std::clamp(key, 1, count - 2);
 }
 
-// One exposure for the day: half way, in stops, between the light of the key hour and
-// that of noon on level ground, so that neither is lost.
+// EV for the whole day: half way between the light on level ground at the key hour and at
+// noon, so that neither is too dark or too bright.
 double exposure_under(const SunPath& path, double key_hour) {
     const double key = std::sin(path(key_hour).elevation);
     const double noon = std::sin(path(noon_of(path)).elevation);
@@ -106,8 +106,8 @@ std::string place_text(const GeographicPosition& place) {
     return side(place.latitude, 'N', 'S') + ", " + side(place.longitude, 'E', 'W');
 }
 
-// The day of the same year, nearest to the wanted one, on which the image appears; or how
-// near the sun comes at all.
+// The nearest day of the same year on which the image appears, or else the day on which
+// the sun comes nearest.
 std::string other_day(const config::FramesSpec& frames, const Sun& wanted) {
     const double zone = zone_of(frames);
     const auto days = approaches_in(frames.date->year, *frames.place, zone, wanted);
@@ -140,7 +140,7 @@ std::string appearance(const ShadowImage& image, const Course& course,
     const std::string when = clock_text(approach.hour) + course.clock;
     if (approach.off <= kNear)
         return fmt::format(
-            "{} appears {}at {}, the sun {:.1f} degrees from where it wants it", name,
+            "{} appears {}at {}, the sun {:.1f} degrees from the one it asks for", name,
             day, when, degrees(approach.off));
     if (!course.real)
         return fmt::format(
@@ -222,7 +222,7 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
     const int key_shot = key_frame(hours, key.hour, count);
     Sequence sequence{.name = name_of(Kind::kDay),
                       .camera = camera.name,
-                      .shots = {},
+                      .frames = {},
                       .exposed_by = {static_cast<std::size_t>(key_shot)},
                       .exposure = exposure_under(course.path, key.hour),
                       .rate = frames.rate,
@@ -230,20 +230,20 @@ Day day_over(const config::FramesSpec& frames, const render::CameraOptions& came
                       .hold = glimpsed ? frames.hold : 0.0};
     const auto pace = glimpsed ? frames.pace : config::FramesSpec::Pace::kEven;
     for (const double hour : hours_of(hours, key.hour, key_shot, count, pace)) {
-        Shot shot{camera, clock_text(hour) + course.clock};
-        shot.camera.name =
-            frame_name(sequence.name, static_cast<int>(sequence.shots.size()));
-        shot.camera.sun = course.path(hour);
-        sequence.shots.push_back(std::move(shot));
+        SequenceFrame frame{camera, clock_text(hour) + course.clock};
+        frame.camera.name =
+            frame_name(sequence.name, static_cast<int>(sequence.frames.size()));
+        frame.camera.sun = course.path(hour);
+        sequence.frames.push_back(std::move(frame));
     }
     if (glimpsed && key.off < kThere)
-        sequence.shots.at(static_cast<std::size_t>(key_shot)).camera.sun =
+        sequence.frames.at(static_cast<std::size_t>(key_shot)).camera.sun =
             images.front().sun;
 
     Day day{std::move(sequence), {course_text(course, hours, frames, images)}, true};
     day.appears = images.empty() || key.off <= kNear;
     for (const ShadowImage& image : images)
-        day.news.push_back(
+        day.messages.push_back(
             appearance(image, course, nearest(course.path, image.sun, hours), frames));
     return day;
 }

@@ -9,25 +9,24 @@
 
 namespace cydonia {
 
-// A day over the land: the sun from low in the east to low in the west.
+// A day: the sun moves from low in the east to low in the west.
 struct Day {
     Sequence sequence;
-    // What the user should read: when each image appears, or why not and what to change.
-    std::vector<std::string> news;
-    bool appears = true;  // the first image, while the sun is up
+    // For the user: when each image appears, or why it does not and what to change.
+    std::vector<std::string> messages;
+    bool appears = true;  // whether the first image does
 };
 
-// The sun of [frames]'s place and date, or without one the arc through the sun of the
-// first of `images`; `camera` films.
+// The day at the place and date of [frames], or without them the arc of the sun through
+// the sun of the first image. `camera` films it.
 Day day_over(const config::FramesSpec& frames, const render::CameraOptions& camera,
              const std::vector<ShadowImage>& images);
 
-// Throws bad_request where there is no day to film: neither an image nor a place, or a
-// polar night.
+// Throws bad_request if there is no day to film: no image and no place, or a polar night.
 void check_day(const config::SceneSpec& scene);
 
-// The one that films: [frames]'s, else the first that looks straight down, else the
-// first.
+// The camera that films: that of [frames], else the first that looks straight down, else
+// the first.
 const render::CameraOptions& filming_camera(
     const config::FramesSpec& frames, const std::vector<render::CameraOptions>& cameras);
 

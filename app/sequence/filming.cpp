@@ -1,20 +1,20 @@
-// Frames are traced several at once, each by a POV-Ray of one thread: what it does alone,
-// its start and the reading of the land, then runs beside the others (1.6 times as fast
-// on 2 cores at draft quality), and one thread draws equal pixels every time. What a
-// frame is made from is in the ledger as for any frame, so that none is made twice.
+// Frames are traced several at once, each by a POV-Ray of one thread. What POV-Ray does
+// on one core, starting and reading the land, then runs beside other frames' traces (1.6
+// times as fast on 2 cores at draft quality), and one thread draws equal pixels every
+// time. A frame's steps are those of a still, and the ledger knows them by the same keys.
 #include "app/sequence/filming.h"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <mutex>
 #include <thread>
 
 #include "app/pipeline/memory.h"
+#include "app/pipeline/steps.h"
+#include "app/sequence/film_lands.h"
 #include "app/sequence/plan.h"
 #include "app/sequence/share.h"
-#include "app/sequence/sites.h"
 #include "app/threads.h"
 #include "field/files.h"
 #include "render/colour/exposure.h"
@@ -23,43 +23,30 @@
 namespace cydonia {
 namespace {
 
-// The trace is nearly all that takes time.
+// The share of a frame's time that its trace takes.
 constexpr double kOfTrace = 0.95;
-
-// Whether there was anything to do.
-bool finish(const Step& step, Job& job) {
-    using Clock = std::chrono::steady_clock;
-    const std::uint64_t key = step.key();
-    if (job.ledger.finished(step.name, key)) return false;
-    const Clock::time_point begin = Clock::now();
-    Made made = step.run();
-    const std::chrono::duration<double> seconds = Clock::now() - begin;
-    job.ledger.record(
-        step.name,
-        {key, std::move(made.outputs), {}, std::move(made.result), seconds.count(), 0});
-    return true;
-}
 
 class Filming {
   public:
-    Filming(Job& job, const Sequence& sequence)
+    Filming(const Job& job, const Sequence& sequence, Graph& graph)
         : job_(job),
           sequence_(sequence),
-          sites_(job),
-          share_(sequence.shots.size(), job.progress),
-          progress_(progress_of(sequence.shots.size(), share_)),
-          traced_(sequence.shots.size(), 0) {}
+          graph_(graph),
+          lands_(job),
+          share_(sequence.frames.size(), job.progress),
+          progress_(progress_of(sequence.frames.size(), share_)),
+          traced_(sequence.frames.size(), 0) {}
 
-    // First those whose light tells the exposure of all.
+    // Frames whose light determines the exposure of all come first.
     void run(const std::vector<std::size_t>& frames, int workers) {
-        sites_.remove_leftovers();
+        lands_.remove_leftovers();
         leave_out_all_but(frames);
         const auto trace_it = [&](std::size_t i) { trace(i); };
         if (job_.request.trace_only) return each(frames, workers, trace_it);
         each(sequence_.exposed_by, workers, trace_it);
         std::vector<double> own;
         for (const std::size_t i : sequence_.exposed_by)
-            own.push_back(render::own_exposure(picture(sequence_.shots[i])));
+            own.push_back(render::own_exposure(light_of(sequence_.frames[i])));
         exposure_ = sequence_.exposure + render::steady_stops(std::move(own));
 
         each(frames, workers, [&](std::size_t i) {
@@ -69,9 +56,7 @@ class Filming {
     }
 
     bool is_traced(std::size_t index) {
-        return std::ranges::all_of(trace_steps(index), [&](const Step& step) {
-            return job_.ledger.finished(step.name, step.key()) != nullptr;
-        });
+        return steps_of_frame(index).finished(trace_id(name_of_frame(index)));
     }
 
   private:
@@ -82,7 +67,7 @@ class Filming {
         return progress;
     }
 
-    // Several at once; the first failure ends them all.
+    // Works on several frames at once; the first failure stops all workers.
     template <class Work>
     void each(const std::vector<std::size_t>& frames, int workers, const Work& work) {
         std::atomic<std::size_t> next = 0;
@@ -108,7 +93,7 @@ class Filming {
     }
 
     void leave_out_all_but(const std::vector<std::size_t>& frames) {
-        std::vector<char> wanted(sequence_.shots.size(), 0);
+        std::vector<char> wanted(sequence_.frames.size(), 0);
         for (const std::size_t i : frames) wanted[i] = 1;
         if (!job_.request.trace_only)
             for (const std::size_t i : sequence_.exposed_by) wanted[i] = 1;
@@ -116,102 +101,101 @@ class Filming {
             if (!wanted[i]) share_.skip(i);
     }
 
-    std::filesystem::path picture(const Shot& shot) const {
-        return job_.folder / "pov" / (shot.camera.name + ".exr");
+    const std::string& name_of_frame(std::size_t index) const {
+        return sequence_.frames[index].camera.name;
     }
 
-    FrameOf frame_of(std::size_t index) {
-        const Shot& shot = sequence_.shots[index];
-        FrameOf frame{.camera = sequence_.camera,
-                      .when = shot.when,
-                      .threads = 1,
-                      .progress = &progress_[index],
-                      .exposure = exposure_,
-                      .moments = shot.moments};
-        sites_.choose(shot, frame);
-        return frame;
+    std::filesystem::path light_of(const SequenceFrame& frame) const {
+        return job_.folder / "pov" / (frame.camera.name + ".exr");
     }
 
-    // Of a land of its own nothing but the light is kept.
-    std::vector<Step> trace_steps(std::size_t index) {
-        const render::CameraOptions& camera = sequence_.shots[index].camera;
-        const FrameOf frame = frame_of(index);
-        if (frame.site) return {trace_step_at_site(job_, camera, frame)};
-        return {shot_step(job_, camera, frame), frame_steps(job_, camera, frame).front()};
+    // The exposure may not be known yet; only the delivery depends on it.
+    Graph steps_of_frame(std::size_t index) {
+        const SequenceFrame& frame = sequence_.frames[index];
+        return {frame_steps(job_, {.camera = frame.camera,
+                                   .moments = frame.moments,
+                                   .next = frame.next,
+                                   .view = sequence_.camera,
+                                   .when = frame.when,
+                                   .scene = frame.scene ? frame.scene : job_.spec,
+                                   .land = lands_.of(frame),
+                                   .exposure = exposure_,
+                                   .threads = 1,
+                                   .progress = &progress_[index]}),
+                graph_.ledger(), &graph_};
     }
 
     void trace(std::size_t index) {
         if (traced_[index]) return;
         progress_[index].report(0.0);
-        bool anew = false;
-        for (const Step& step : trace_steps(index)) anew = finish(step, job_);
+        Graph steps = steps_of_frame(index);
+        bool is_new = false;
+        for (const Step* step : steps.closure({trace_id(name_of_frame(index))}))
+            is_new |= steps.finish(*step).is_new;
         traced_[index] = 1;
-        if (anew)
+        if (is_new)
             share_.report(index, kOfTrace);
         else
             share_.skip(index);
     }
 
+    // The frame has been traced.
     void deliver(std::size_t index) {
-        const Shot& shot = sequence_.shots[index];
-        const FrameOf frame = frame_of(index);
-        finish(deliver_step(job_, shot.camera, frame), job_);
-        if (job_.spec.render.passes)
-            finish(passes_step(job_, shot.camera, frame, shot.next), job_);
+        Graph steps = steps_of_frame(index);
+        for (const Step& step : steps.steps()) steps.finish(step);
         share_.finish(index);
     }
 
-    Job& job_;
+    const Job& job_;
     const Sequence& sequence_;
-    Sites sites_;
+    Graph& graph_;  // with the steps of the land
+    FilmLands lands_;
     Share share_;
     std::vector<FrameProgress> progress_;  // of each frame
-    std::vector<char> traced_;             // in this run or before
-    std::optional<double> exposure_;       // EV, once it is known
+    std::vector<char> traced_;             // by this run or an earlier one
+    std::optional<double> exposure_;       // EV; none until it is known
 };
 
-// As many as have a core and fit into memory.
+// One for each core, but no more than fit into memory.
 int workers_for(const Job& job, const Sequence& sequence) {
-    const render::CameraOptions& camera = sequence.shots.front().camera;
-    const std::uint64_t each = memory::of_trace(
-        job.drawn_cells(), static_cast<std::uint64_t>(camera.size[0]) *
-                               static_cast<std::uint64_t>(camera.size[1]));
+    const std::uint64_t each =
+        memory::of_trace(job.drawn_cells(), pixels_of(sequence.frames.front().camera));
     const std::uint64_t fit = std::max<std::uint64_t>(1, memory::available() / each);
-    const std::uint64_t most = std::min<std::uint64_t>(fit, sequence.shots.size());
+    const std::uint64_t most = std::min<std::uint64_t>(fit, sequence.frames.size());
     return static_cast<int>(
         std::min<std::uint64_t>(most, static_cast<std::uint64_t>(thread_count())));
 }
 
 }  // namespace
 
-Made film_by_povray(Job& job, const Sequence& sequence) {
+StepResult film_by_povray(const Job& job, const Sequence& sequence, Graph& graph) {
     make_folder(job.folder / "pov");
-    job.land.drawn();  // once, before workers share it
     const std::vector<std::size_t> frames = frames_to_make(sequence, job.request);
-    Filming(job, sequence).run(frames, workers_for(job, sequence));
-    Made made;
+    Filming(job, sequence, graph).run(frames, workers_for(job, sequence));
+    StepResult made;
     const auto add_outputs_of = [&](const std::string& step) {
-        for (std::string& file : job.ledger.outputs_of(step))
+        for (std::string& file : graph.ledger().outputs_of(step))
             made.outputs.push_back(std::move(file));
     };
     for (const std::size_t i : frames) {
-        const std::string& frame = sequence.shots[i].camera.name;
+        const std::string& frame = sequence.frames[i].camera.name;
         if (job.request.trace_only) {
-            add_outputs_of("trace " + frame);
+            add_outputs_of(trace_id(frame));
             continue;
         }
-        add_outputs_of("deliver " + frame);
-        if (job.spec.render.passes) add_outputs_of("passes " + frame);
+        add_outputs_of(deliver_id(frame));
+        if (job.spec->render.passes) add_outputs_of(passes_id(frame));
     }
     return made;
 }
 
-std::vector<std::size_t> frames_to_trace(Job& job, const Sequence& sequence) {
+std::vector<std::size_t> frames_to_trace(const Job& job, const Sequence& sequence,
+                                         Graph& graph) {
     std::vector<std::size_t> frames = frames_to_make(sequence, job.request);
     frames.insert(frames.end(), sequence.exposed_by.begin(), sequence.exposed_by.end());
     std::ranges::sort(frames);
     frames.erase(std::ranges::unique(frames).begin(), frames.end());
-    Filming filming(job, sequence);
+    Filming filming(job, sequence, graph);
     std::erase_if(frames, [&](std::size_t i) { return filming.is_traced(i); });
     return frames;
 }

@@ -2,20 +2,24 @@
 
 #include <vector>
 
+#include "app/pipeline/graph.h"
 #include "app/pipeline/job.h"
 #include "app/sequence/sequence.h"
 
 namespace cydonia {
 
-// The frames of a sequence by POV-Ray, those that are missing: frames/<frame>.exr and
-// .png, and passes where the scene asks for them. Gives all files of the frames asked
-// for.
-Made film_by_povray(Job& job, const Sequence& sequence);
+// Makes the missing frames of a sequence by POV-Ray: frames/<frame>.exr and .png, and
+// passes if the scene asks for them. `graph` has the steps of the land. The outputs are
+// all files of the frames asked for.
+StepResult film_by_povray(const Job& job, const Sequence& sequence, Graph& graph);
 
-// Of those frames and of the ones whose light tells the exposure, which are not traced.
-std::vector<std::size_t> frames_to_trace(Job& job, const Sequence& sequence);
+// Which of those frames, and of the ones that determine the exposure, are not traced yet.
+std::vector<std::size_t> frames_to_trace(const Job& job, const Sequence& sequence,
+                                         Graph& graph);
 
-// A look at it by Embree: frames/<sequence>-<style>-0001.png and so on.
-Made film_by_embree(Job& job, const Sequence& sequence, render::Style style);
+// Makes previews of the frames by Embree: frames/<sequence>-<style>-0001.png and so on.
+StepResult film_by_embree(const Job& job, const Sequence& sequence, render::Style style,
+                          Graph& graph);
+std::string file_of_look(const std::string& sequence, render::Style style, int index);
 
 }  // namespace cydonia

@@ -10,19 +10,19 @@
 namespace cydonia {
 namespace {
 
-// Frames 0-239 of a sequence that is as long as one likes are all of 240.
+// If the scene does not say how many frames there are, those asked for are the last ones.
 config::FramesSpec frames_of(const Job& job) {
-    config::FramesSpec frames = job.spec.frames;
+    config::FramesSpec frames = job.spec->frames;
     if (!frames.count && job.request.frames) frames.count = job.request.frames->last + 1;
     return frames;
 }
 
-// A turntable's camera may be none of the scene's.
+// A turntable may have a camera of its own, which has no size from the request yet.
 Sequence sized(Sequence sequence, const Job& job) {
-    for (Shot& shot : sequence.shots) {
-        job.resize(shot.camera);
-        job.resize(*shot.next);
-        for (render::CameraOptions& moment : shot.moments) job.resize(moment);
+    for (SequenceFrame& frame : sequence.frames) {
+        job.resize(frame.camera);
+        job.resize(*frame.next);
+        for (render::CameraOptions& moment : frame.moments) job.resize(moment);
     }
     return sequence;
 }
@@ -30,17 +30,30 @@ Sequence sized(Sequence sequence, const Job& job) {
 }  // namespace
 
 Goal goal_of(Kind kind) {
-    constexpr Goal kGoals[] = {Goal::kSweep, Goal::kTurntable, Goal::kFilm};
-    return kGoals[static_cast<int>(kind)];
+    switch (kind) {
+        case Kind::kDay:
+            return Goal::kSweep;
+        case Kind::kTurntable:
+            return Goal::kTurntable;
+        case Kind::kFilm:
+            break;
+    }
+    return Goal::kFilm;
 }
 
-Plan plan_of(Kind kind, Job& job) {
+std::optional<Kind> sequence_of(Goal goal) {
+    for (const Kind kind : {Kind::kDay, Kind::kTurntable, Kind::kFilm})
+        if (goal_of(kind) == goal) return kind;
+    return std::nullopt;
+}
+
+SequencePlan plan_of(Kind kind, const Job& job) {
     switch (kind) {
         case Kind::kDay: {
             Day day =
-                day_over(frames_of(job), filming_camera(job.spec.frames, job.cameras()),
-                         job.land.finished().shadows);
-            return {std::move(day.sequence), std::move(day.news), day.appears};
+                day_over(frames_of(job), filming_camera(job.spec->frames, job.cameras()),
+                         job.land.finished()->shadows);
+            return {std::move(day.sequence), std::move(day.messages), day.appears};
         }
         case Kind::kTurntable:
             return {sized(turntable(frames_of(job), job.cameras()), job)};
@@ -49,16 +62,15 @@ Plan plan_of(Kind kind, Job& job) {
     }
     Timeline film = timeline({[&job](double frame) { return job.at(frame); },
                               job.scene.varies(), job.scene.last_key()},
-                             job.spec, job.cameras());
-    return {std::move(film.sequence), std::move(film.news)};
+                             *job.spec, job.cameras());
+    return {std::move(film.sequence), std::move(film.messages)};
 }
 
-int check_plan(Kind kind, Job& job) {
-    if (kind == Kind::kDay) check_day(job.spec);
+int check_plan(Kind kind, const Job& job) {
+    if (kind == Kind::kDay) check_day(*job.spec);
     const int count = kind == Kind::kFilm
-                          ? static_cast<int>(plan_of(kind, job).sequence.shots.size())
+                          ? static_cast<int>(plan_of(kind, job).sequence.frames.size())
                           : frames_of(job).count.value_or(config::FramesSpec::kCount);
-    check_names(job.spec, name_of(kind), count);
     if (const auto& asked = job.request.frames; asked && asked->last >= count)
         throw bad_request("--frames {}-{}: the {} has {} frames, 0 to {}", asked->first,
                           asked->last, name_of(kind), count, count - 1);
@@ -67,7 +79,7 @@ int check_plan(Kind kind, Job& job) {
 
 std::vector<std::size_t> frames_to_make(const Sequence& sequence,
                                         const Request& request) {
-    std::vector<std::size_t> frames(sequence.shots.size());
+    std::vector<std::size_t> frames(sequence.frames.size());
     if (request.frames)
         frames.resize(
             static_cast<std::size_t>(request.frames->last - request.frames->first + 1));

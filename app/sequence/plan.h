@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,23 +9,24 @@
 
 namespace cydonia {
 
-// What a job is to film, and what the user should read about it.
-struct Plan {
+// A sequence that a job films.
+struct SequencePlan {
     Sequence sequence;
-    std::vector<std::string> news = {};
-    bool appears = true;  // the first image of a day
+    std::vector<std::string> messages = {};
+    bool appears = true;  // whether the first image of a day does
 };
 
-// A day follows the suns of images, which stages choose: its land must be finished.
-Plan plan_of(Kind kind, Job& job);
+// A day depends on the suns of images, which stages may choose: makes the land for it.
+SequencePlan plan_of(Kind kind, const Job& job);
 
-// How many frames the whole sequence has; throws bad_request where there is nothing to
-// film, a camera has the name of a frame, or frames asked for are beyond the last.
-int check_plan(Kind kind, Job& job);
+// The number of frames of the whole sequence. Throws bad_request if there is nothing to
+// film or a frame asked for is beyond the last.
+int check_plan(Kind kind, const Job& job);
 
-// The frames asked for: all, or those of --frames A-B.
+// The frames to make: all, or those of --frames A-B.
 std::vector<std::size_t> frames_to_make(const Sequence& sequence, const Request& request);
 
 Goal goal_of(Kind kind);
+std::optional<Kind> sequence_of(Goal goal);  // none if it films nothing
 
 }  // namespace cydonia

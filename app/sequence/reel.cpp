@@ -13,21 +13,24 @@
 namespace cydonia {
 namespace {
 
-constexpr std::size_t kSheetFrames = 48;  // at most, evenly
+constexpr std::size_t kSheetFrames = 48;  // at most, evenly chosen
 constexpr std::size_t kSheetBytes = 400000;
 constexpr std::array<const char*, 3> kVideos = {".mp4", ".webp", ".gif"};
 
-// Of numbered PNGs.
+// A video of numbered PNG files.
 struct Reel {
     std::string name;
-    std::vector<std::string> frames;  // files in the output folder
+    std::vector<std::string> frames;  // relative to the output folder
 };
 
+std::string reel_name(const std::string& sequence, const Job& job) {
+    if (!job.request.preview) return sequence;
+    return sequence + '-' + std::string(name_of(*job.request.preview));
+}
+
 Reel reel_of(const Job& job, const Sequence& sequence) {
-    Reel reel{sequence.name, {}};
-    if (job.request.preview)
-        reel.name += '-' + std::string(name_of(*job.request.preview));
-    for (std::size_t i = 0; i < sequence.shots.size(); ++i)
+    Reel reel{reel_name(sequence.name, job), {}};
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i)
         reel.frames.push_back("frames/" + frame_name(reel.name, static_cast<int>(i)) +
                               ".png");
     return reel;
@@ -51,24 +54,28 @@ void write_sheet(const Job& job, const Reel& reel, const std::string& file) {
 
 }  // namespace
 
-Made encode(const Sequence& sequence, Job& job) {
+StepResult encode(const Sequence& sequence, const Job& job) {
     const Reel reel = reel_of(job, sequence);
     const render::Film film{
         job.folder / "frames", reel.name,      static_cast<int>(reel.frames.size()),
         sequence.rate,         sequence.still, sequence.hold};
-    Made made;
-    made.outputs.push_back("frames/" + reel.name + ".jpg");
-    write_sheet(job, reel, made.outputs.back());
-    // Small films take less than a core each.
+    StepResult made{files_of_reel(sequence.name, job)};
+    write_sheet(job, reel, made.outputs.front());
+    // A small video keeps less than one core busy, so all are encoded at once.
     Share share(kVideos.size(), job.progress);
     tbb::parallel_for(std::size_t{0}, kVideos.size(), [&](std::size_t i) {
         FrameProgress progress(i, 1.0, share);
         render::encode_video(film, job.folder / "frames" / (reel.name + kVideos[i]),
                              progress);
     });
-    for (const char* extension : kVideos)
-        made.outputs.push_back("frames/" + reel.name + extension);
     return made;
+}
+
+std::vector<std::string> files_of_reel(const std::string& sequence, const Job& job) {
+    const std::string stem = "frames/" + reel_name(sequence, job);
+    std::vector<std::string> files{stem + ".jpg"};
+    for (const char* extension : kVideos) files.push_back(stem + extension);
+    return files;
 }
 
 }  // namespace cydonia

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "field/error.h"
-
 namespace cydonia {
 
 std::string name_of(Kind kind) {
@@ -26,15 +24,6 @@ std::vector<std::size_t> every_tenth(std::size_t count) {
     std::vector<std::size_t> tenth;
     for (std::size_t i = 0; i < count; i += 10) tenth.push_back(i);
     return tenth;
-}
-
-void check_names(const config::SceneSpec& scene, const std::string& sequence, int count) {
-    for (const render::CameraOptions& camera : scene.render.cameras)
-        for (int i = 0; i < count; ++i)
-            if (camera.name == frame_name(sequence, i))
-                throw bad_request(
-                    "camera '{}' has the name of a frame of the {}; rename it",
-                    camera.name, sequence);
 }
 
 }  // namespace cydonia

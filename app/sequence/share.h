@@ -10,7 +10,7 @@
 
 namespace cydonia {
 
-// How far the frames of a sequence are, together, whoever works on them.
+// The progress of all frames of a sequence together. Any thread may report.
 class Share {
   public:
     Share(std::size_t frames, Progress& progress)
@@ -24,14 +24,14 @@ class Share {
         const auto frames = std::count(skipped_.begin(), skipped_.end(), false);
         progress_.report(frames ? sum / static_cast<double>(frames) : 1.0);
     }
-    // A frame that was made before is no work, and no measure of the time left.
+    // Leaves out a frame that was made before: it would distort the time left.
     void skip(std::size_t frame) {
         const std::scoped_lock lock(mutex_);
         fractions_[frame] = 0.0;
         skipped_[frame] = true;
     }
     void finish(std::size_t frame) { report(frame, 1.0); }
-    // Whoever reports next is interrupted.
+    // The next report of any thread throws Interrupted.
     void stop() { stopped_ = true; }
     bool stopped() const { return stopped_; }
 
@@ -43,7 +43,7 @@ class Share {
     std::atomic<bool> stopped_ = false;
 };
 
-// One frame's part of it, up to `most`.
+// The progress of one frame, which goes up to `most`.
 class FrameProgress final : public Progress {
   public:
     FrameProgress(std::size_t frame, double most, Share& share)

@@ -72,18 +72,18 @@ Timeline timeline(const Clock& clock, const config::SceneSpec& first,
     std::shared_ptr<const config::SceneSpec> now = scene_at(0.0);
     for (int i = 0; i < count; ++i) {
         auto next = scene_at(i + 1.0);
-        Shot shot{at(i, now.get()), ""};
-        shot.camera.name = frame_name(sequence.name, i);
-        shot.next = at(i + 1.0, next.get());
-        if (shot.camera.shutter_samples > 1)
-            for (const double moment : render::shutter_times(shot.camera, i))
-                shot.moments.push_back(at(moment, scene_at(moment).get()));
-        shot.scene = std::move(now);
+        SequenceFrame frame{at(i, now.get()), ""};
+        frame.camera.name = frame_name(sequence.name, i);
+        frame.next = at(i + 1.0, next.get());
+        if (frame.camera.shutter_samples > 1)
+            for (const double moment : render::shutter_times(frame.camera, i))
+                frame.moments.push_back(at(moment, scene_at(moment).get()));
+        frame.scene = std::move(now);
         now = std::move(next);
-        sequence.shots.push_back(std::move(shot));
+        sequence.frames.push_back(std::move(frame));
     }
     if (last > count - 1)
-        result.news.push_back(
+        result.messages.push_back(
             fmt::format("the keys go on to frame {:g}, the film ends at {}: frames.count "
                         "= {} has all",
                         last, count - 1, needed));

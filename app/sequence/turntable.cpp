@@ -11,7 +11,7 @@ namespace {
 
 using render::CameraOptions;
 
-// The whole land in the frame, seen as one sees a model on a table.
+// A camera that sees the whole land, as one looks at a model on a table.
 CameraOptions over_the_table(const std::vector<CameraOptions>& cameras) {
     CameraOptions camera;
     camera.name = "orbit";
@@ -53,17 +53,17 @@ Sequence turntable(const config::FramesSpec& frames,
 
     Sequence sequence{.name = name_of(Kind::kTurntable),
                       .camera = camera.name,
-                      .shots = {},
+                      .frames = {},
                       .exposed_by = every_tenth(static_cast<std::size_t>(count)),
                       .rate = frames.rate};
     for (int i = 0; i < count; ++i) {
-        Shot shot{at(i), ""};
-        shot.camera.name = frame_name(sequence.name, i);
-        shot.next = at(i + 1);
+        SequenceFrame frame{at(i), ""};
+        frame.camera.name = frame_name(sequence.name, i);
+        frame.next = at(i + 1);
         if (camera.shutter_samples > 1)
             for (const double moment : shutter_times(camera, i))
-                shot.moments.push_back(at(moment));
-        sequence.shots.push_back(std::move(shot));
+                frame.moments.push_back(at(moment));
+        sequence.frames.push_back(std::move(frame));
     }
     return sequence;
 }

@@ -6,9 +6,9 @@
 
 namespace cydonia {
 
-// The camera once around the land, clockwise from above, sun and land at rest: [frames]'s
-// camera where that can turn, else the first that orbits, else one that has the whole
-// land in its frame.
+// The camera goes once around the land, clockwise seen from above, while sun and land
+// stay. It is that of [frames] if it can turn, else the first that orbits, else one that
+// sees the whole land.
 Sequence turntable(const config::FramesSpec& frames,
                    const std::vector<render::CameraOptions>& cameras);
 

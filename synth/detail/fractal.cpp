@@ -9,7 +9,7 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr int kAround = 4;  // radius over which a scale is estimated, cells
+constexpr int kScaleRadius = 4;  // radius over which a scale is estimated, cells
 
 // A number with mean 0 and variance 1: a sum of four uniform numbers, which has the same
 // rounding on every machine.
@@ -56,8 +56,8 @@ Field<float> strength_of(const Field<float>& values, int around) {
 
 void take_scale(Example& example) {
     for (Level& level : example.levels) {
-        level.details.columns = strength_of(level.details.columns, kAround);
-        level.details.rows = strength_of(level.details.rows, kAround);
+        level.details.columns = strength_of(level.details.columns, kScaleRadius);
+        level.details.rows = strength_of(level.details.rows, kScaleRadius);
     }
 }
 

@@ -9,8 +9,8 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr int kAround = 5;       // radius, cells
-constexpr float kMost = 1.7f;    // largest gain
+constexpr int kRoughnessRadius = 5;  // radius, cells
+constexpr float kMost = 1.7f;        // largest gain
 constexpr float kLevel = 1e-3f;  // metres: least roughness that an example counts with
 
 }  // namespace
@@ -23,7 +23,7 @@ Field<float> roughness_of(const Field<float>& land, Filter filter) {
     const Field<float>& coarse = levels[0].coarse;
     const Field<float> rest = subdivided(Field<float>(coarse.width(), coarse.height()),
                                          levels[0].details, filter);
-    const Field<float> strength = strength_of(rest, kAround);
+    const Field<float> strength = strength_of(rest, kRoughnessRadius);
     Field<float> result(land.width(), land.height());
     for (int y = 0; y < land.height(); ++y)
         std::copy_n(strength.row(y).begin(), land.width(), result.row(y).begin());

@@ -8,10 +8,13 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr int kShortest = 400, kMostScale = 16;  // pixels, of a picture and of a cell
+constexpr int kShortestSide = 400;  // of a picture, pixels
+constexpr int kMostMagnified = 16;  // pixels of a cell
+
 constexpr int kPanelWidth = 240, kPanelHeight = 200, kMargin = 12;
-constexpr Rgb8 kPaper{255, 255, 255}, kFrame{200, 200, 200}, kFittest{20, 20, 20},
-    kPopulation{150, 150, 150}, kCompatible{40, 90, 200}, kSimilar{200, 50, 40};
+constexpr Rgb8 kPaperColour{255, 255, 255}, kFrameColour{200, 200, 200},
+    kFittestColour{20, 20, 20}, kPopulationColour{150, 150, 150},
+    kCompatibleColour{40, 90, 200}, kSimilarColour{200, 50, 40};
 
 void draw_line(Field<Rgb8>& picture, double x0, double y0, double x1, double y1,
                Rgb8 colour) {
@@ -29,7 +32,7 @@ void draw_line(Field<Rgb8>& picture, double x0, double y0, double x1, double y1,
 
 Field<Rgb8> relief_picture(const Field<float>& heights, double spacing) {
     const int shorter = std::max(1, std::min(heights.width(), heights.height()));
-    const int scale = std::clamp(kShortest / shorter, 1, kMostScale);
+    const int scale = std::clamp(kShortestSide / shorter, 1, kMostMagnified);
     Field<Rgb8> picture(heights.width() * scale, heights.height() * scale);
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
@@ -53,7 +56,7 @@ Field<Rgb8> fitness_picture(const std::vector<LevelDone>& levels) {
     int panels = 0;
     for (const LevelDone& level : levels) panels += !level.generations.empty();
     Field<Rgb8> picture(kMargin + panels * (kPanelWidth + kMargin),
-                        kPanelHeight + 2 * kMargin, kPaper);
+                        kPanelHeight + 2 * kMargin, kPaperColour);
     int left = kMargin;
     for (const LevelDone& level : levels) {
         const auto& all = level.generations;
@@ -65,17 +68,17 @@ Field<Rgb8> fitness_picture(const std::vector<LevelDone>& levels) {
         };
         for (int tenth = 0; tenth <= 10; tenth += 2)
             draw_line(picture, left, at(0, tenth / 10.0, true), left + kPanelWidth,
-                      at(0, tenth / 10.0, true), kFrame);
+                      at(0, tenth / 10.0, true), kFrameColour);
         const auto curve = [&](auto member, Rgb8 colour) {
             for (std::size_t i = 0; i + 1 < all.size(); ++i)
                 draw_line(picture, at(double(i), 0, false), at(0, all[i].*member, true),
                           at(double(i + 1), 0, false), at(0, all[i + 1].*member, true),
                           colour);
         };
-        curve(&Generation::mean_fitness, kPopulation);
-        curve(&Generation::compatibility, kCompatible);
-        curve(&Generation::similarity, kSimilar);
-        curve(&Generation::fitness, kFittest);
+        curve(&Generation::mean_fitness, kPopulationColour);
+        curve(&Generation::compatibility, kCompatibleColour);
+        curve(&Generation::similarity, kSimilarColour);
+        curve(&Generation::fitness, kFittestColour);
         left += kPanelWidth + kMargin;
     }
     return picture;

@@ -39,8 +39,8 @@ struct Handle {
 
 struct Curve {
     std::string name;
-    std::vector<Place2> points =
-        {};  // the curve passes through them smoothly; give either points or a drawing
+    // The curve passes through them smoothly; give either points or a drawing.
+    std::vector<Place2> points = {};
     // Every path of a drawing whose page lies over the terrain, or only the path with
     // `id`.
     std::optional<Source> drawing = {};

@@ -68,8 +68,8 @@ class Water {
         const float bottom = heights_[minimum];
         float level = bottom;
         std::vector<std::int32_t> met;
-        std::size_t inside =
-            0;  // how many of `met` are filled; the others lie beyond the outlet
+        // How many of `met` are filled; the others lie beyond the outlet.
+        std::size_t inside = 0;
         reach(minimum, minimum);
         while (!shore_.empty()) {
             const auto [height, cell] = lowest();

@@ -89,8 +89,8 @@ Field<float> rows_doubled(const Field<float>& field, int width) {
 
 // White noise from cell (x, y) on, without what halving keeps of it.
 Field<float> finest_band(int x, int y, int width, int height, std::uint64_t seed) {
-    constexpr int kAround =
-        2 * kReach;  // even like x and y, because cells are halved in pairs
+    // Even like x and y, because cells are halved in pairs.
+    constexpr int kAround = 2 * kReach;
     Field<float> white(width + 2 * kAround, height + 2 * kAround);
     for (int j = 0; j < white.height(); ++j)
         for (int i = 0; i < white.width(); ++i)

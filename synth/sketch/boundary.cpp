@@ -13,7 +13,7 @@ namespace cydonia::sketch {
 namespace {
 
 constexpr double kLevel = 0.25;  // share of a shoulder's steepest slope: it levels off
-constexpr double kNarrowest =
+constexpr double kNarrowestShoulder =
     1.0 / 16;  // least width of a shoulder, as a share of the length
 constexpr int kMostPlaces = 4096;
 constexpr std::size_t kMostLines = 100'000;  // of a boundary
@@ -26,7 +26,7 @@ int shoulder(const std::vector<double>& line) {
         const double slope = line[std::size_t(i)] - line[std::size_t(i - 1)];
         if (std::abs(slope) > std::abs(steepest)) steepest = slope;
         if (slope * (steepest < 0.0 ? -1.0 : 1.0) < kLevel * std::abs(steepest) &&
-            i > kNarrowest * n)
+            i > kNarrowestShoulder * n)
             return i;
     }
     return n - 1;

@@ -9,8 +9,8 @@ namespace cydonia::sketch {
 namespace {
 
 constexpr double kLeastReach = 2.0;  // samples, of the finest deformations
-constexpr double kMostLean =
-    0.7;  // cosine of the angle between base line and shadow: 45 degrees
+// Cosine of the angle between base line and shadow: 45 degrees.
+constexpr double kMostLean = 0.7;
 
 using geometry::cross;
 using geometry::dot;

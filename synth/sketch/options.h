@@ -61,8 +61,8 @@ struct Feature {
     // given, it is the length of the shoulders of a silhouette in a view, or else half of
     // what a slope of 30 degrees would need (docs/papers.md, Gain 2009, 2).
     std::optional<std::array<Length, 2>> boundary = {};
-    std::optional<Way> boundary_curve =
-        {};  // drawn around the way, instead of `boundary`
+    // Drawn around the way, instead of `boundary`.
+    std::optional<Way> boundary_curve = {};
     std::vector<Hold> holds = {};
     std::optional<Silhouette> silhouette = {};  // added to these heights
     std::optional<View> view = {};              // gives the heights instead

@@ -113,15 +113,15 @@ using Joints = std::array<std::optional<Joint>, 2>;
 // Joins ways with those before them, and moves their ends onto these.
 std::vector<Joints> joined(std::vector<geometry::NamedShape>& ways,
                            const geometry::Ground& ground) {
-    constexpr double kReach =
-        0.02;  // share of the terrain's width: gaps that a hand leaves open
+    // Gaps that a hand leaves open are at most this share of the terrain's width.
+    constexpr double kGap = 0.02;
     std::vector<Joints> joints(ways.size());
     for (std::size_t k = 1; k < ways.size(); ++k) {
         if (ways[k].shape.closed) continue;
         for (const std::size_t end : {0u, 1u}) {
             std::vector<Point2> points = ways[k].shape.points;
             const Point2 p = end == 0 ? points.front() : points.back();
-            double nearest = kReach * ground.width;
+            double nearest = kGap * ground.width;
             Point2 at = p;
             for (std::size_t other = 0; other < k; ++other) {
                 const geometry::Shape& way = ways[other].shape;

@@ -15,7 +15,7 @@ constexpr int kValues = 16384;  // of a stroke
 constexpr double kShortest =
     1.0 / 2048;  // share of the page: lines are divided into such parts
 constexpr std::size_t kMostPoints = 4'000'000;  // of strokes
-constexpr int kNarrowest = 8,
+constexpr int kNarrowestLine = 8,
               kBelow = 10;      // values of the narrowest filter; lines below a stroke
 constexpr double kStep = 0.25;  // samples, along a line of sight
 
@@ -148,7 +148,7 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
         progress.note(fmt::format(
             "'{}': its silhouette folds back; what is drawn last counts there", name));
     for (int i = 0; i < kBelow; ++i)
-        below_.push_back(lowered(line_.values, kNarrowest << i));
+        below_.push_back(lowered(line_.values, kNarrowestLine << i));
 }
 
 std::optional<double> Sight::azimuth_of(const Point2& place) const {
@@ -181,7 +181,7 @@ std::optional<double> Sight::height_below(const Point2& place, double metres) co
     const double distance = geometry::distance(eye(), place);
     // Interpolated between two lines, of which the stroke is the first.
     const double values =
-        metres / distance / (line_.right - line_.left) * (kValues - 1) / kNarrowest;
+        metres / distance / (line_.right - line_.left) * (kValues - 1) / kNarrowestLine;
     const double level = std::clamp(std::log2(1.0 + values), 0.0, double(kBelow));
     const auto i = std::min(std::size_t(level), std::size_t(kBelow - 1));
     const double upper = at(i == 0 ? line_.values : below_[i - 1], *azimuth),

@@ -9,7 +9,7 @@
 namespace cydonia::statistics {
 namespace {
 
-constexpr float kFaintest = 0.01f;  // slope, so that level land has no edges
+constexpr float kFaintestEdge = 0.01f;  // slope, so that level land has no edges
 
 std::array<float, 2> gradient(const Field<float>& land, int x, int y) {
     const int w = land.width(), h = land.height();
@@ -68,7 +68,7 @@ std::vector<Feature> edges_of(const std::vector<Scale>& land, double spacing) {
         const Field<float>& own = powers[std::size_t((k - 1) % 3)];
         find_largest(
             powers[std::size_t((k - 2) % 3)], own, powers[std::size_t(k % 3)], 1.0f,
-            k - 1, kFaintest * kFaintest * float(scale.deviation),
+            k - 1, kFaintestEdge * kFaintestEdge * float(scale.deviation),
             [&](int x, int y) { return is_steepest(scale, own, x, y); }, found);
     }
     for (std::size_t i = 0; i < found.place.size(); ++i)

@@ -9,8 +9,8 @@ namespace cydonia::statistics {
 namespace {
 
 constexpr int kPasses = 8;
-constexpr double kVote =
-    1.0;  // weight of all neighbours together; a block's own window has 1
+// Weight of all neighbours together; a block's own window has 1.
+constexpr double kVote = 1.0;
 
 bool has_window(const Analysis& analysis) {
     return analysis[std::size_t(Quantity::kElevation)].count > 0;

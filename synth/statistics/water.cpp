@@ -9,24 +9,24 @@
 namespace cydonia::statistics {
 namespace {
 
-constexpr std::size_t kLeastSamples = 200;  // samples of one height in a body of water
-constexpr std::size_t kBroad = 64;   // of them whose surroundings have that height, too
-constexpr int kRadius = 2;           // samples: how far the surroundings reach
-constexpr float kLevel =
-    1e-3f;  // metres: the difference that warping leaves within one height
+constexpr std::size_t kLeastWater = 200;  // samples of one height in a body of water
+constexpr std::size_t kBroad = 64;  // of them whose surroundings have that height, too
+constexpr int kSurroundings = 2;    // samples: how far the surroundings reach
+// Metres: the difference that warping leaves within one height.
+constexpr float kOneHeight = 1e-3f;
 
 }  // namespace
 
 Field<std::uint8_t> water_of(const Field<float>& heights) {
     const int w = heights.width(), h = heights.height();
     Field<std::uint8_t> water(w, h);
-    const Field<float> low = window_low(heights, kRadius),
-                       high = window_high(heights, kRadius);
+    const Field<float> low = window_low(heights, kSurroundings),
+                       high = window_high(heights, kSurroundings);
     // At the land's sides it is not known how broad a level band is.
     const auto amid = [&](std::size_t i) {
         const int x = int(i % std::size_t(w)), y = int(i / std::size_t(w));
-        return high[i] - low[i] <= kLevel && x >= kRadius && y >= kRadius &&
-               x + kRadius < w && y + kRadius < h;
+        return high[i] - low[i] <= kOneHeight && x >= kSurroundings &&
+               y >= kSurroundings && x + kSurroundings < w && y + kSurroundings < h;
     };
     std::vector<bool> seen(heights.size());
     std::vector<std::size_t> area;
@@ -39,7 +39,7 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
         seen[start] = true;
         std::size_t broad = 0;
         const auto visit = [&](std::size_t to) {
-            if (seen[to] || std::abs(heights[to] - heights[start]) > kLevel) return;
+            if (seen[to] || std::abs(heights[to] - heights[start]) > kOneHeight) return;
             seen[to] = true;
             area.push_back(to);
         };
@@ -52,7 +52,7 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
             if (y > 0) visit(i - std::size_t(w));
             if (y + 1 < h) visit(i + std::size_t(w));
         }
-        if (area.size() >= kLeastSamples && broad >= kBroad)
+        if (area.size() >= kLeastWater && broad >= kBroad)
             for (const std::size_t i : area) water[i] = 1;
     }
     return water;

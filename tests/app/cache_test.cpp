@@ -93,7 +93,8 @@ TEST(Cache, SizesBeyondTheFile) {
     for (std::size_t i = 0; i < body; ++i) {
         std::string lying = bytes;
         lying[begin + i] = '\xff';
-        const std::uint64_t checksum = hash_text(std::string_view(lying).substr(begin));
+        const std::uint64_t checksum =
+            hash_of_bytes(std::string_view(lying).substr(begin));
         lying.replace(begin - 8, 8, reinterpret_cast<const char*>(&checksum), 8);
         folder.write("lie.terrain", lying);
         load_terrain(folder / "lie.terrain");  // may succeed; must not crash
@@ -115,4 +116,19 @@ TEST(Cache, PruningKeepsTheLastUsed) {
     EXPECT_FALSE(fs::exists(cached_terrain(folder.path(), 2)));
     prune_terrains(folder.path(), 0);
     EXPECT_TRUE(fs::exists(cached_terrain(folder.path(), 0)));
+}
+
+// Whatever they take: without them the scene's next step would make them again.
+TEST(Cache, PruningKeepsWhatTheSceneNeeds) {
+    const test::TemporaryFolder folder;
+    const auto now = fs::file_time_type::clock::now();
+    std::vector<fs::path> files;
+    for (int i = 0; i < 5; ++i) {
+        files.push_back(cached_terrain(folder.path(), i));
+        store_terrain(files.back(), small_land());
+        fs::last_write_time(files.back(), now - std::chrono::hours(i));
+    }
+    prune_terrains(folder.path(), 1, std::vector{files[2], files[4]});
+    for (const int i : {0, 2, 4}) EXPECT_TRUE(fs::exists(files[i])) << i;
+    for (const int i : {1, 3}) EXPECT_FALSE(fs::exists(files[i])) << i;
 }

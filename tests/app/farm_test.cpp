@@ -193,9 +193,9 @@ TEST_F(Farm, WhatSlurmRefusesIsSaidAndTakenBack) {
     expect_refused(outcome, 1, "Requested node configuration is not available");
     expect_refused(outcome, 1, "SBATCH_PARTITION");
     EXPECT_TRUE(calls().ends_with("scancel 101 102\n")) << calls();
-    expect_refused(ask({"status", "land.toml"}), 2, "nothing was handed in");
+    expect_refused(ask({"status", "land.toml"}), 2, "no jobs were submitted");
     folder.write_script("bin/sbatch", "echo Welcome");
-    expect_refused(ask(kTurntable), 1, "sbatch names no job: Welcome");
+    expect_refused(ask(kTurntable), 1, "sbatch gave no job id: Welcome");
 }
 
 TEST_F(Farm, BadInput) {
@@ -207,7 +207,7 @@ TEST_F(Farm, BadInput) {
     expect_refused(ask({"land.toml", "--frames", "9-12", "--set", "frames.count=12"}), 2,
                    "the turntable has 12 frames, 0 to 11");
     expect_refused(ask({"land.toml", "--sequence", "film"}), 2, "nothing to film");
-    expect_refused(ask({"status", "land.toml"}), 2, "nothing was handed in");
+    expect_refused(ask({"status", "land.toml"}), 2, "no jobs were submitted");
     folder.write("out/land/farm/farm.json", "{\"command\": 1}");
     expect_refused(ask({"status", "land.toml"}), 2, "damaged");
     EXPECT_EQ(calls(), "");

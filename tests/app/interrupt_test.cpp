@@ -57,7 +57,7 @@ TEST_F(Interrupt, DuringSynthesis) {
     folder.write("land.toml", scene);
     const std::vector<std::string> synth = {"synth", "land.toml", "--set",
                                             "terrain.samples=1024"};
-    const auto first_stage_done = [&] { return fs::exists(out / ".cache/steps.json"); };
+    const auto first_stage_done = [&] { return fs::exists(out / ".cache/steps.jsonl"); };
     for (int signal : {SIGINT, SIGTERM}) {
         fs::remove_all(out);
         const Outcome outcome =

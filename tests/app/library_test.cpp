@@ -174,7 +174,7 @@ TEST_F(Libraries, LeaveOutWaterAndVoids) {
              {"lake.tif: left out 25.0% under water",
               "holes.tif: left out 26.6% that is at most 30 samples from a void",
               "sea.tif: of it 85.9% under water, so that too little land is left",
-              "'wet' has no example", "'bare' has no examples: nothing is like it"})
+              "'wet' has no example", "'bare' has no examples, so no land is similar"})
             EXPECT_NE(outcome.err.find(said), std::string::npos) << said << outcome.err;
         // Their other three quarters are what the whole is.
         EXPECT_NE(outcome.out.find("high             5  0.9"), std::string::npos)

@@ -126,7 +126,7 @@ TEST_F(Reproduce, OptionsThatReadOtherwiseAreNamed) {
     text.replace(text.find("blending_bias = 3"), 17, "blending_bias = 5");
     changed["options"]["stages"][0]["text"] = text;
     write(changed);
-    expect_refused("terrain.stage[0]: blending_bias = 3 was otherwise");
+    expect_refused("terrain.stage[0]: blending_bias = 3 was different then");
 }
 
 TEST_F(Reproduce, AnotherBuildIsSaid) {

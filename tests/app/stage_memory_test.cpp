@@ -88,12 +88,12 @@ TEST_F(StageMemoryTest, StaysUntilTheStageIsOfAnotherMethod) {
 }
 
 TEST_F(StageMemoryTest, OtherStagesAreForgottenWithThem) {
-    for (const char* name : {"stage-1.a", "stage-2.b", "stage-12.c", "steps.json"})
+    for (const char* name : {"stage-1.a", "stage-2.b", "stage-12.c", "steps.jsonl"})
         folder.write(name, "x");
     run({folder.path(), 3, "distance"}, "y");
     forget_stages_after(folder.path(), 2);
     EXPECT_EQ(test::files_below(folder.path()),
-              (Names{"stage-1.a", "stage-2.b", "steps.json"}));
+              (Names{"stage-1.a", "stage-2.b", "steps.jsonl"}));
 }
 
 TEST_F(StageMemoryTest, DamagedListOfRunsIsNone) {

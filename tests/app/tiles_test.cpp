@@ -98,7 +98,7 @@ TEST_F(Tiles, InAnyOrderByProcessesOfTheirOwn) {
               std::string::npos);
 
     const auto made = fs::last_write_time(out / "tiles/tile-1-1.tif");
-    EXPECT_NE(synth({"--tile", "1,1"}).err.find("tile 1,1 is there already"),
+    EXPECT_NE(synth({"--tile", "1,1"}).err.find("tile 1,1 exists already"),
               std::string::npos);
     ASSERT_EQ(synth().code, 0);
     EXPECT_EQ(fs::last_write_time(out / "tiles/tile-1-1.tif"), made);

@@ -86,7 +86,7 @@ struct FarmFilm : testing::Test {
     int recorded() const {
         return std::atoi(
             told("cat " + quoted(farm.string()) +
-                 "/.cache/steps/*.json 2> /dev/null | grep -c '\"trace turntable-'")
+                 "/.cache/steps/*.jsonl 2> /dev/null | grep -c '\"trace turntable-'")
                 .c_str());
     }
     void expect_the_films_equal(int frames) const {
@@ -119,7 +119,7 @@ TEST_F(FarmFilm, ProcessesBesideOneAnother) {
     };
     const Outcome early = trace("0-2");
     EXPECT_EQ(early.code, 2);
-    EXPECT_NE(early.err.find("is to be done first"), std::string::npos) << early.err;
+    EXPECT_NE(early.err.find("has to be done first"), std::string::npos) << early.err;
 
     const std::vector<std::string> land{"emit",        "land.toml",         "-o",
                                         farm.string(), "--quality",         "draft",

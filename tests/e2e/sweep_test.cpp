@@ -53,10 +53,11 @@ struct Sweep : testing::Test {
         return times;
     }
     std::set<std::string> noted_files() const {
-        std::ifstream in(out / ".cache/steps.json");
+        std::ifstream in(out / ".cache/steps.jsonl");
         std::set<std::string> files;
-        for (const auto& step : Json::parse(in))
-            for (const std::string file : step.at("outputs")) files.insert(file);
+        for (std::string line; std::getline(in, line);)
+            for (const std::string file : Json::parse(line).at("outputs"))
+                files.insert(file);
         return files;
     }
     Field<Rgba8> picture(const std::string& name) const {

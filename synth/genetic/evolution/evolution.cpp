@@ -10,34 +10,19 @@
 
 #include "field/parallel.h"
 #include "field/random.h"
+#include "synth/genetic/dice.h"
 
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kMostScale =
-    2.0;  // largest factor of a gene's heights; the least is its inverse
+// Largest factor of a gene's heights; the least is its inverse.
+constexpr double kMostScale = 2.0;
 constexpr int kDrawn = 24,
               kKept = 3;  // random chunks drawn, and the best of them that are tried
 constexpr int kShifts = 6;
 constexpr std::array<std::array<int, 2>, 4> kWays = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 // A trial that loses more compatibility than this cannot regain it by similarity.
 constexpr double kHopeless = -0.25;
-
-// A sequence of random numbers for one purpose.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-    double unit() { return cydonia::unit(next()); }
-    int below(int n) { return std::min(int(unit() * n), n - 1); }
-    double normal() {  // Box and Muller 1958
-        const double u = std::max(unit(), 1e-12), v = unit();
-        return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
-    }
-
-  private:
-    std::uint64_t next() { return state_ = mix(state_); }
-    std::uint64_t state_;
-};
 
 struct Individual {
     Chromosome chromosome;

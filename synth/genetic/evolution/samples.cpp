@@ -15,8 +15,8 @@ namespace {
 
 using texture::Model;
 
-constexpr int kShortest =
-    4;  // cells: shortest side of a sample from which genes are taken
+// Cells: shortest side of a sample from which genes are taken.
+constexpr int kShortestSample = 4;
 constexpr std::uint64_t kMostCells = 1u << 27;
 // Models that are coarser than a level by less than this factor are resampled; others are
 // read smaller.
@@ -58,11 +58,11 @@ Model model_of(const Example& example, Progress& progress) {
     Model model = texture::model_of(exemplar_of(example), progress);
     const Field<float>& heights = model.terrain.heights;
     const std::string name = example.source.name();
-    if (std::min(heights.width(), heights.height()) < kShortest)
+    if (std::min(heights.width(), heights.height()) < kShortestSample)
         throw bad_request(
             "{}: its window holds {} x {} cells of {:.4g} m; at least {} x {} are needed",
-            name, heights.width(), heights.height(), model.terrain.spacing, kShortest,
-            kShortest);
+            name, heights.width(), heights.height(), model.terrain.spacing,
+            kShortestSample, kShortestSample);
     const auto [low, high] = std::ranges::minmax(heights);
     if (!(double(high) - low < 1e6))
         throw bad_request(
@@ -113,8 +113,8 @@ std::vector<Sample> levels_of(const std::string& name, Model model, int type, in
     // The cells of all levels are nested, so that land keeps its position from level to
     // level.
     int step = 1;
-    for (int level = finest;
-         level > 0 && std::min(all.width(), all.height()) >= step * ratio * kShortest;
+    for (int level = finest; level > 0 && std::min(all.width(), all.height()) >=
+                                              step * ratio * kShortestSample;
          --level)
         step *= ratio;
     const int w = all.width() / step * step, h = all.height() / step * step;
@@ -125,7 +125,7 @@ std::vector<Sample> levels_of(const std::string& name, Model model, int type, in
     Field<std::uint8_t> voids =
         model.voids.empty() ? Field<std::uint8_t>() : part(model.voids, x, y, w, h);
     for (int level = finest; level >= 0; --level) {
-        if (std::min(heights.width(), heights.height()) < kShortest) break;
+        if (std::min(heights.width(), heights.height()) < kShortestSample) break;
         auto land = std::make_shared<SampleLand>();
         Field<float> coarse = coarser(heights, ratio);
         if (level > 0) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "field/random.h"
+#include "synth/genetic/dice.h"
 
 namespace cydonia::genetic {
 namespace {
@@ -127,27 +128,14 @@ double fitness(const std::vector<double>& turns, const std::vector<Point2>& p,
     return sum / std::max(1, scales) - kCourse * (off(0) + off(1));
 }
 
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-    double unit() { return cydonia::unit(state_ = mix(state_)); }
-    double signed_unit() { return 2.0 * unit() - 1.0; }
-    std::size_t below(std::size_t n) {
-        return std::min(std::size_t(unit() * double(n)), n - 1);
-    }
-
-  private:
-    std::uint64_t state_;
-};
-
-struct Chromosome {
+struct Candidate {
     std::vector<double> turns;
     double fitness = -1e9;
 };
 
 std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
     Dice dice(seed);
-    std::vector<Chromosome> population;
+    std::vector<Candidate> population;
     std::vector<Point2> points;
     const auto add = [&](std::vector<double> turns) {
         decode(turns, points);
@@ -155,7 +143,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
         population.push_back({std::move(turns), value});
     };
     const auto rank = [&] {
-        std::ranges::stable_sort(population, std::greater<>{}, &Chromosome::fitness);
+        std::ranges::stable_sort(population, std::greater<>{}, &Candidate::fitness);
         population.resize(std::min<std::size_t>(population.size(), kPopulation));
     };
     const auto n = std::size_t(genes);

@@ -14,10 +14,10 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kSame =
-    1e-6;  // share of the terrain's larger side: nearer corners are one
-constexpr double kFlat =
-    1e-9;  // least area of an outline, as a share of its sides' squares
+// Share of the terrain's larger side: nearer corners are one.
+constexpr double kSame = 1e-6;
+// Least area of an outline, as a share of its sides' squares.
+constexpr double kFlat = 1e-9;
 constexpr double kFarthest = 1e9;  // of a corner, in larger sides of the terrain
 constexpr double kUnseen = 0.1;    // share of a cell: smaller bends are invisible
 // The share of the room to its neighbours that a boundary may use.

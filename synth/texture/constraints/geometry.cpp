@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kBand = 16;       // rows at a time
 constexpr double kLimit = 4.0;  // cells that a constraint reaches at any level
-constexpr double kNear =
-    1e-3;  // cells of level 0: a place nearer than that is on the constraint
+// Cells of level 0: a place nearer than that is on the constraint.
+constexpr double kNear = 1e-3;
 constexpr double kMargin = 1e-6;  // cells, so that rounding leaves out no cell in reach
 constexpr std::size_t kMostBends = 400'000;
 

@@ -12,8 +12,8 @@ namespace cydonia::texture {
 struct Pull {
     float target = 0.0f;    // h_t, metres
     float distance = 0.0f;  // d, metres, to the nearest of them
-    float reach =
-        0.0f;  // a, metres: min(area, 4 cells of the level); 0: nothing is asked
+    // A, metres: min(area, 4 cells of the level); 0: nothing is asked.
+    float reach = 0.0f;
 };
 
 // R of section 5.2, a set of types: bit t stands for type t.

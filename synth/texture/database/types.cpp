@@ -16,7 +16,7 @@ using namespace geometry;
 
 namespace {
 
-constexpr double kMostCells = 1 << 24;  // of a level; also pixels of the painting
+constexpr double kMostTypeCells = 1 << 24;  // of a level; also pixels of the painting
 
 // The types of a picture that is stretched over a grid; kNoType where nothing is painted.
 Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& types,
@@ -63,7 +63,7 @@ Field<TypeSet> sets_of(const Options& options, const Ground& ground, int level) 
         return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
     };
     int detail = 4;
-    while (detail > 1 && detail * detail * across * down > kMostCells) detail /= 2;
+    while (detail > 1 && detail * detail * across * down > kMostTypeCells) detail /= 2;
     const auto drawn = [&](double cells) {
         return std::clamp(static_cast<int>(std::lround(detail * cells)), 1,
                           detail * whole(cells));
@@ -83,7 +83,7 @@ TypeMap::TypeMap(const Options& options, const Ground& ground, int levels) {
     if (!options.paint || levels <= kFinestGuided) return;
     assert(options.types.size() <= kMostTypes);
     const double cells = ground.width / ground.spacing * ground.depth / ground.spacing;
-    while (std::ldexp(cells, -2 * finest_) > kMostCells) ++finest_;
+    while (std::ldexp(cells, -2 * finest_) > kMostTypeCells) ++finest_;
     levels_.push_back(sets_of(options, ground, finest_));
     for (int level = finest_ + 1; level < levels; ++level) {
         const Field<TypeSet>& finer = levels_.back();

@@ -12,14 +12,13 @@ namespace cydonia::texture {
 namespace {
 
 constexpr int kAround = Layout::kAround;
-constexpr int kBorder = 1;  // cells of the coarsest level that no piece is taken from
-constexpr int kSweeps = 6;  // over the plane, which choose each block anew
-constexpr int kNear = 3;    // blocks within which the same land counts as repeated
+constexpr int kBorder = 1;      // cells of the coarsest level that no piece is taken from
+constexpr int kSweeps = 6;      // over the plane, which choose each block anew
+constexpr int kNearBlocks = 3;  // blocks within which the same land counts as repeated
 constexpr float kRepeated = 40.0f;  // cost of a piece beside itself
 constexpr float kOverused = 1.0f;   // cost of a piece that is used as often as others
 
 int wrapped(int block) { return block & (kAround - 1); }
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
 // Chooses the piece of each block, in several sweeps over the plane: each time the piece
 // that costs least there (iterated conditional modes, Besag 1986).
@@ -46,8 +45,8 @@ Field<int> arranged(const Pieces& pieces, std::uint64_t seed) {
                 cost += pieces.north.col(piece(0, 1));
                 cost += pieces.west.row(piece(-1, 0)).transpose();
                 cost += pieces.north.row(piece(0, -1)).transpose();
-                for (int dy = -kNear; dy <= kNear; ++dy)
-                    for (int dx = -kNear; dx <= kNear; ++dx)
+                for (int dy = -kNearBlocks; dy <= kNearBlocks; ++dy)
+                    for (int dx = -kNearBlocks; dx <= kNearBlocks; ++dx)
                         if (dx || dy)
                             cost += kRepeated / float(std::max(dx * dx, dy * dy)) *
                                     pieces.same.col(piece(dx, dy));

@@ -8,6 +8,9 @@
 
 namespace cydonia::texture {
 
+// The largest integer that is at most a / b; b is positive.
+inline int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
 // The land of the exemplars from which each part of the plane starts: a patchwork of
 // pieces, one for each block, that repeats after kAround blocks each way.
 struct Layout {

@@ -15,7 +15,7 @@ namespace cydonia::texture {
 
 namespace {
 
-constexpr int kBlock = 16;
+constexpr int kPatchBlock = 16;
 
 // The column and the row of the exemplar's cell.
 int column(Origin place, int level) { return spot_of(place).x >> (level + 1); }
@@ -102,24 +102,25 @@ std::int64_t half_way(const std::vector<std::int64_t>& sizes, std::size_t cells)
 
 // Blocks that extend beyond an exemplar do not count.
 double used_share(const Database& database, const Field<Origin>& origins, int level) {
-    struct Blocks {
+    struct UsedBlocks {
         int across, down;
         std::vector<char> used;
     };
-    std::vector<Blocks> exemplars;
+    std::vector<UsedBlocks> exemplars;
     for (const Sheet& sheet : database.levels.at(std::size_t(level)).sheets) {
-        const int across = sheet.width / kBlock, down = sheet.height / kBlock;
+        const int across = sheet.width / kPatchBlock, down = sheet.height / kPatchBlock;
         exemplars.push_back(
             {across, down, std::vector<char>(static_cast<std::size_t>(across * down))});
     }
     for (Origin place : origins) {
-        Blocks& blocks = exemplars.at(static_cast<std::size_t>(place.exemplar()));
-        const int x = column(place, level) / kBlock, y = row(place, level) / kBlock;
+        UsedBlocks& blocks = exemplars.at(static_cast<std::size_t>(place.exemplar()));
+        const int x = column(place, level) / kPatchBlock,
+                  y = row(place, level) / kPatchBlock;
         if (x < blocks.across && y < blocks.down)
             blocks.used[static_cast<std::size_t>(y * blocks.across + x)] = 1;
     }
     double used = 0.0, all = 0.0;
-    for (const Blocks& blocks : exemplars) {
+    for (const UsedBlocks& blocks : exemplars) {
         used += static_cast<double>(std::ranges::count(blocks.used, 1));
         all += static_cast<double>(blocks.used.size());
     }

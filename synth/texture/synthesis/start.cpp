@@ -33,8 +33,6 @@ int block_of(const Level& level) {
     return std::clamp(int(kShare * shorter), kLeastBlock, kMostBlock);
 }
 
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
 }  // namespace
 
 Layout start_of(const Database& database, const Controls& controls) {
