@@ -10,7 +10,6 @@
 namespace cydonia::render {
 namespace {
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 // Clockwise from above, as POV-Ray turns about its y axis.
 Vec3 turned(const Vec3& v, double turn) {
@@ -103,9 +102,9 @@ Copies::Facet Copies::facet(unsigned instance, unsigned geometry, unsigned trian
     const auto [a, b, c] = part.triangles[triangle];
     const Vec3 normal =
         normals.empty()
-            ? cross(vec(part.vertices[b]) - vec(part.vertices[a]),
-                    vec(part.vertices[c]) - vec(part.vertices[a]))
-            : (1.0 - u - v) * vec(normals[a]) + u * vec(normals[b]) + v * vec(normals[c]);
+            ? cross(vec3_of(part.vertices[b]) - vec3_of(part.vertices[a]),
+                    vec3_of(part.vertices[c]) - vec3_of(part.vertices[a]))
+            : (1.0 - u - v) * vec3_of(normals[a]) + u * vec3_of(normals[b]) + v * vec3_of(normals[c]);
     return {copy.kind, shape, turned(normalized(normal), copy.turn)};
 }
 
