@@ -9,8 +9,8 @@
 #include "bench/measure.h"
 #include "field/random.h"
 #include "synth/distance/blend.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/distance.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/layout.h"
 
 namespace cydonia::distance {
@@ -101,7 +101,7 @@ void BM_LeastCost(benchmark::State& state) {
                           0.0f});
     }
     LeastCost paths(graph);
-    for (auto _ : state) paths.spread(starts, RawGrowth{starts});
+    for (auto _ : state) paths.spread(starts, RawCostModel{starts});
     report_nodes(state, paths.settled().size());
     report_memory(state);
 }

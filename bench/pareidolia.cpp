@@ -381,13 +381,13 @@ void print_pair(const std::string& name, const Hidden& made, const Terrain& base
     for (const ShadowImage& image : made.land.shadows) {
         const auto f = shadow_figures(land, &before, image);
         fmt::print("  {:6.4f} {:6.4f} {:5.1f}% {:6.1f}", f.fine.iou, f.iou_1x1,
-                   100.0 * f.given_up.share, f.standing_out);
+                   100.0 * f.relaxed.share, f.standing_out);
         ious.push_back(f.fine.iou);
         mean += f.fine.iou / static_cast<double>(made.land.shadows.size());
     }
     // What no land can do, whatever this one gave up.
     std::vector<ShadowImage> asked = made.land.shadows;
-    for (ShadowImage& image : asked) image.given_up = {};
+    for (ShadowImage& image : asked) image.relaxed = {};
     const double bound = pareidolia::settle(asked).bound;
     gaps.push_back(bound - mean);
     fmt::print("  {:6.4f} {:6.4f}  {:6.2f}\n", mean, bound, made.seconds);

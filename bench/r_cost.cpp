@@ -19,7 +19,7 @@
 #include "bench/measure.h"
 #include "field/files.h"
 #include "field/random.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 using namespace cydonia;
 using namespace cydonia::distance;
@@ -112,7 +112,7 @@ Found least_costs(const fs::path& folder) {
     for (const auto& [x, y] : start_cells()) starts.push_back({graph.node(x, y), 0.0f});
     const bench::Stopwatch pass;
     LeastCost paths(graph);
-    paths.spread(starts, RawGrowth{starts});
+    paths.spread(starts, RawCostModel{starts});
     found.pass_seconds = pass.seconds();
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) found.least(x, y) = paths[graph.node(x, y)].cost;

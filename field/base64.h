@@ -5,7 +5,7 @@
 
 namespace cydonia {
 
-// Bytes as text that attributes and URIs hold (RFC 4648, section 4).
+// Encodes bytes as text that attributes and URIs can hold (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
 }  // namespace cydonia

@@ -6,7 +6,7 @@
 
 namespace cydonia {
 
-// visit(x, y) for every sample on the field's border, corners twice.
+// Calls visit(x, y) for every sample on the field's border, and twice for the corners.
 template <class T, class Visit>
 void on_border(const Field<T>& field, const Visit& visit) {
     const int right = field.width() - 1, bottom = field.height() - 1;
@@ -14,7 +14,7 @@ void on_border(const Field<T>& field, const Visit& visit) {
     for (int y = 0; y <= bottom; ++y) visit(0, y), visit(right, y);
 }
 
-// Of a field with at least one sample.
+// The lowest value on the border of a field, which must have at least one sample.
 template <class T>
 T lowest_on_border(const Field<T>& field) {
     T lowest = field(0, 0);

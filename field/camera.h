@@ -6,7 +6,7 @@
 
 namespace cydonia {
 
-// A placed camera, in world metres.
+// A camera and where it stands, in world metres.
 struct Camera {
     enum class Projection { kPerspective, kOrthographic };
 
@@ -18,8 +18,9 @@ struct Camera {
     double frame_width = 1.0;    // metres across the frame's width; orthographic only
     int width = 640;             // pixels
     int height = 360;
-    // The lens: how wide its opening is, 0 a pinhole that draws all sharp; and how far
-    // ahead, measured along the view, the plane stands that is sharp. Perspective only.
+    // The lens, in perspective only: the diameter of its opening, where 0 is a pinhole
+    // that draws everything sharply, and the distance of the sharp plane, measured along
+    // the view.
     double aperture = 0.0;        // metres
     double focus_distance = 1.0;  // metres
 };
@@ -39,7 +40,8 @@ struct CameraAxes {
     Vec3 eye, forward, right, up;
 };
 
-// The side of a pixel: metres, or in perspective metres at one metre ahead.
+// The width of a pixel: in metres for an orthographic camera, in metres at a distance of
+// one metre for a perspective one.
 inline double pixel_side(const Camera& camera) {
     const bool parallel = camera.projection == Camera::Projection::kOrthographic;
     return (parallel ? camera.frame_width : 2.0 * std::tan(0.5 * camera.field_of_view)) /

@@ -6,9 +6,9 @@
 
 namespace cydonia {
 
-// Cells, middle to middle, from every cell whose truth in `mask` is `value` to the
-// nearest one whose is not; 0 at those. Where there are none, a number beyond any
-// distance.
+// The distance transform of a mask, in cells from centre to centre: from every cell where
+// `mask` is `value` to the nearest cell where it is not. It is 0 at the latter, and
+// larger than any distance where there is no such cell.
 Field<float> cells_inside(const Field<std::uint8_t>& mask, bool value);
 
 }  // namespace cydonia

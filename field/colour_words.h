@@ -6,7 +6,8 @@
 
 namespace cydonia {
 
-// The basic words of CSS for colours, sRGB; without white, which is ground.
+// The basic colour names of CSS, as sRGB. White is left out because it means that nothing
+// is drawn.
 struct ColourWord {
     std::string_view name;
     std::array<std::uint8_t, 3> value;

@@ -5,11 +5,11 @@
 
 namespace cydonia {
 
-// A data file that ships with the program ("ocio/config.ocio"): looked for in
-// $CYDONIA_DATA, then beside the program (install prefix), then in the source tree it was
-// built from. Throws failure().
+// Finds a data file that ships with the program, such as "ocio/config.ocio". It is looked
+// for in $CYDONIA_DATA, then beside the program (the install prefix), then in the source
+// tree that the program was built from. Throws failure() when it is in none of them.
 std::filesystem::path data_file(std::string_view relative);
-// The same of a folder of them ("profiles").
+// Finds a folder of such files, such as "profiles".
 std::filesystem::path data_folder(std::string_view relative);
 
 }  // namespace cydonia

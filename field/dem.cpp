@@ -22,10 +22,10 @@ bool is_exr(const Source& source) {
     return std::string_view(bytes, 4) == "\x76\x2f\x31\x01";
 }
 
-// Whoever asks where the voids are can do with many.
+// Whoever asks for the mask of voids accepts any number of them.
 double most_voids(const Field<std::uint8_t>* asked) { return asked ? 1.0 : kMostVoids; }
 
-// As the program writes terrain.exr.
+// Reads a terrain.exr of this program.
 Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& notes,
                        Field<std::uint8_t>* voids) {
     const auto known = metadata.find("cydonia:spacing");
@@ -35,8 +35,7 @@ Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& no
     if (!(terrain.spacing > 0.0 && std::isfinite(terrain.spacing)))
         throw bad_request(
             "it has no attribute cydonia:spacing, so the size of its cells is unknown; "
-            "give "
-            "a GeoTIFF");
+            "give a GeoTIFF");
     if (heights.width() < 2 || heights.height() < 2)
         throw bad_request("{} x {} heights, fewer than 2 x 2", heights.width(),
                           heights.height());
@@ -46,8 +45,7 @@ Terrain terrain_of_exr(Field<float> heights, const Metadata& metadata, Notes& no
     return terrain;
 }
 
-// Where heights were interpolated, carried along onto square metres: 1 wherever a void
-// weighs in.
+// The mask of voids on the warped grid: 1 wherever a void contributes to a height.
 Field<std::uint8_t> moved(DemGrid grid, const Field<std::uint8_t>& voids) {
     if (voids.empty()) return {};
     constexpr float kWeighsIn = 0.02f;
@@ -69,7 +67,7 @@ Terrain terrain_of_grid(const Source& source, Notes& notes, Field<std::uint8_t>*
     return terrain;
 }
 
-// Runs a step whose errors leave out which file they are about.
+// Runs a step whose errors do not name the file, and adds the file to them.
 template <class Step>
 Terrain about(const Source& source, const Step& step) {
     try {

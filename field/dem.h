@@ -11,18 +11,21 @@
 
 namespace cydonia {
 
-// An elevation model through GDAL (GeoTIFF, USGS DEM, SDTS, HGT, ...). Also our own
-// terrain.exr. Voids are filled by interpolation, non-square or geographic cells are
-// warped to square metres, or the file is refused with the reason; `note` receives what
-// was done. `voids` receives 1 where that was interpolated (the result's shape; empty
-// when nothing was) and allows for any share of it.
+// Reads an elevation model through GDAL (GeoTIFF, USGS DEM, SDTS, HGT and others), or our
+// own terrain.exr. Voids are filled by interpolation, and cells that are not square or
+// are geographic are warped to square metres; a file for which that fails is refused with
+// the reason. `note` receives what was done. `voids` receives a mask of the result's
+// shape, 1 where heights were interpolated, or an empty one; when it is given, any share
+// of voids is accepted.
 Terrain read_dem(const Source& source, std::string* note = nullptr,
                  Field<std::uint8_t>* voids = nullptr);
 
-// How many heights its header promises; none when that cannot be told beforehand.
+// The number of heights that the file's header promises; none when the header does not
+// tell.
 std::optional<std::uint64_t> samples_of_dem(const Source& source);
 
-// 32-bit float GeoTIFF in local metres, origin at the south-west corner.
+// Writes a 32-bit float GeoTIFF in local metres, with its origin at the south-west
+// corner.
 void write_geotiff(const std::filesystem::path& path, const Terrain& terrain);
 
 }  // namespace cydonia

@@ -13,8 +13,8 @@ namespace {
 constexpr int kLargestSide = 16384;
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
-// Formats that carry heights in one file of their own. Not VRT and its like, which open
-// other files and addresses, but for those that ship with the program.
+// Formats that hold heights in a file of their own. VRT and similar formats open other
+// files and addresses, so that only those that ship with the program are read.
 constexpr const char* kDrivers[] = {
     "GTiff", "USGSDEM", "SDTS",     "SRTMHGT", "DTED", "AAIGrid", "GRASSASCIIGrid",
     "EHdr",  "ENVI",    "HFA",      "GSAG",    "GSBG", "GS7BG",   "SAGA",
@@ -39,13 +39,13 @@ Dataset opened(const Source& source) {
     return file;
 }
 
-// What files write where nothing was measured, whether they declare it or not.
+// Values that files hold where nothing was measured, whether they declare them or not.
 bool is_void(float stored) {
     return !std::isfinite(stored) || std::abs(stored) > 1e30f || stored == -32768.0f ||
            stored == -32767.0f || stored == -9999.0f;
 }
 
-// Metres of one unit of the heights.
+// The length of one unit of the heights, in metres.
 double unit_of_heights(GDALRasterBand& band, const OGRSpatialReference& plane,
                        Notes& notes) {
     std::string unit = band.GetUnitType();
@@ -100,7 +100,7 @@ Field<float> heights_in_metres(GDALDataset& file, const OGRSpatialReference& pla
     return heights;
 }
 
-// Rows in the file may go from the south to the north.
+// The rows of a file may run from south to north.
 void put_north_up(DemGrid& grid) {
     auto& t = grid.transform;
     if (t[5] < 0.0) return;
@@ -118,7 +118,7 @@ std::array<double, 6> transform_of(GDALDataset& file, const OGRSpatialReference&
             "with gdal_translate -a_ullr");
     if (!std::all_of(t.begin(), t.end(), [](double v) { return std::isfinite(v); }) ||
         t[1] == 0.0 || t[5] == 0.0)
-        throw bad_request("its coordinates are not usable");
+        throw bad_request("its coordinates are not finite or its cells have no size");
     if (t[2] != 0.0 || t[4] != 0.0 || t[1] < 0.0)
         throw bad_request(
             "its grid is turned or mirrored; put north up with gdalwarp first");

@@ -26,23 +26,24 @@ struct DemGrid {
 // Sentences about what was done to a file, for its reader's `note`.
 using Notes = std::vector<std::string>;
 
-// The first band of a file that GDAL reads, turned north up.
+// Reads the first band of a file through GDAL and turns it north up.
 DemGrid dem_grid(const Source& source, Notes& notes);
 
-// The header of such a file only.
+// Reads only the header of such a file and returns its number of heights.
 std::uint64_t samples_of_grid(const Source& source);
 
-// 1 where a height is not finite; empty when all are.
+// A mask that is 1 where a height is not finite; empty when all heights are finite.
 Field<std::uint8_t> voids_of(const Field<float>& heights);
 
 // Interpolates the cells that are not finite. Throws when they are more than the share
-// `most` of all.
+// `most` of all cells.
 constexpr double kMostVoids = 0.2;
 void fill_voids(Field<float>& heights, double most, Notes& notes);
 
-// Square metres on the ground: the file's own cells where they are that within 1%, else
-// about as many new ones (cubic), in a plane that touches the ground at the grid's
-// middle. Needs heights without voids.
+// The same heights in square cells, in metres on the ground. The file's own cells are
+// kept where they are square within 1%; otherwise about as many new ones are interpolated
+// (cubic), in a plane that touches the ground at the grid's middle. The heights must have
+// no voids.
 Terrain on_square_metres(const DemGrid& grid, Notes& notes);
 
 }  // namespace cydonia

@@ -42,7 +42,7 @@ Point moved(OGRCoordinateTransformation& transformation, Point p) {
     return p;
 }
 
-// Of a place given in columns and rows.
+// The coordinates of a point given in columns and rows.
 Point place(const DemGrid& grid, double column, double row) {
     const auto& t = grid.transform;
     return {t[0] + column * t[1], t[3] + row * t[5]};
@@ -52,8 +52,9 @@ Point middle(const DemGrid& grid) {
     return place(grid, 0.5 * grid.heights.width(), 0.5 * grid.heights.height());
 }
 
-// Transverse Mercator with its meridian and origin in the grid's middle, on the body that
-// the file names: true to scale there, on Mars as on Earth.
+// A transverse Mercator projection whose meridian and origin lie in the grid's middle,
+// where it is true to scale. It uses the body that the file names, be it Mars or the
+// Earth.
 OGRSpatialReference ground_plane(const DemGrid& grid) {
     const std::unique_ptr<OGRSpatialReference> degrees(grid.plane.CloneGeogCS());
     if (!degrees) throw bad_request("its coordinate system names no ellipsoid");
@@ -88,7 +89,7 @@ struct Rectangle {
     double west, south, east, north;
 };
 
-// The largest upright rectangle of another plane that the grid covers all over.
+// The largest upright rectangle of another plane that the grid covers completely.
 Rectangle covered(const DemGrid& grid, OGRCoordinateTransformation* to_plane) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     constexpr int kSteps = 64;  // along each edge
@@ -118,8 +119,8 @@ Dataset dataset_of(const Field<float>& heights, const std::array<double, 6>& tra
     return dataset;
 }
 
-// The cells of `spacing` (units of `plane`) that fill the rectangle, its remainder shared
-// between opposite edges.
+// The cells of `spacing` (units of `plane`) that fit into the rectangle. What is left
+// over is divided between opposite edges.
 Field<float> warped(const DemGrid& grid, const OGRSpatialReference& plane, Rectangle box,
                     double spacing) {
     const double columns = std::floor((box.east - box.west) / spacing + 1e-6);

@@ -11,11 +11,11 @@
 namespace cydonia {
 namespace {
 
-// Averages over 3 x 3 cells, among the filled ones only, against the rays that GDAL's
+// Averages over 3 x 3 cells, among the filled ones only, to remove the rays that GDAL's
 // search from each void leaves.
 constexpr int kSmoothings = 3;
 
-// Non-zero where a height is known, as GDALFillNodata wants it.
+// A mask that is not zero where a height is known, for GDALFillNodata.
 Dataset mask_of(const Field<float>& heights) {
     Field<float> known(heights.width(), heights.height());
     std::transform(heights.begin(), heights.end(), known.begin(),
@@ -47,8 +47,7 @@ void fill_voids(Field<float>& heights, double most, Notes& notes) {
     if (share > most)
         throw bad_request(
             "{:.1f}% of its cells have no height; at most {:.0f}% are interpolated, cut "
-            "out a "
-            "part with fewer",
+            "out a part with fewer",
             100.0 * share, 100.0 * most);
 
     const Dataset filled = memory_dataset(heights.width(), heights.height(), GDT_Float32);

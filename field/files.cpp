@@ -13,23 +13,22 @@ namespace cydonia {
 namespace fs = std::filesystem;
 namespace {
 
-// Of this machine: several may write to one disk.
+// The name of this machine, since several may write to one disk.
 std::size_t machine() {
     char name[256] = {};
     gethostname(name, sizeof name - 1);
     return std::hash<std::string_view>{}(name)&0xffffff;
 }
 
-// Hidden, in the same folder so that the rename stays on one disk, and with the same
-// extension because writers choose their format by it.
+// The temporary name. It is hidden, in the same folder so that the rename stays on one
+// disk, and has the same extension because writers choose their format by it.
 fs::path temporary_beside(const fs::path& path) {
     return path.parent_path() / fmt::format(".{}.tmp{:x}-{}{}", path.stem().string(),
                                             machine(), getpid(),
                                             path.extension().string());
 }
 
-// A rename would replace a device or a symbolic link's name; only files are ours to
-// replace.
+// A rename would replace a device or a symbolic link. Only regular files may be replaced.
 void expect_replaceable(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -106,7 +105,7 @@ void make_folder(const fs::path& path) {
     fs::create_directories(path, error);
     if (fs::is_directory(path)) return;
 
-    // Name what is in the way: the nearest parent that exists and is no folder.
+    // What is in the way is the nearest parent that exists and is no folder.
     for (fs::path in_the_way = path; in_the_way.has_relative_path();
          in_the_way = in_the_way.parent_path()) {
         std::error_code ignored;

@@ -17,7 +17,7 @@ void write_text(const std::filesystem::path& path, std::string_view text);
 std::string read_text(const std::filesystem::path& path,
                       std::size_t max_bytes = 64u << 20);
 
-// Makes the folder and its parents, or throws a failure() that says what is in the way.
+// Makes a folder and its parents. Throws a failure() that says what is in the way.
 void make_folder(const std::filesystem::path& path);
 
 }  // namespace cydonia

@@ -26,8 +26,8 @@ std::uint32_t checksum(std::string_view bytes) {
         crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// A signature of 8 bytes, then chunks of length, type, data and a checksum of type and
-// data; IEND is the last.
+// A PNG is a signature of 8 bytes, then chunks of length, type, data and a checksum of
+// type and data. IEND is the last chunk.
 std::string_view flaw_of_png(std::string_view bytes) {
     for (std::size_t at = 8; at + 12 <= bytes.size();) {
         const std::size_t length = big_endian(bytes.substr(at));
@@ -41,8 +41,8 @@ std::string_view flaw_of_png(std::string_view bytes) {
     return kTruncated;
 }
 
-// Within a scan 0xff is always escaped, so a scan that ended is one with the end mark
-// after it; cameras append what they like after that.
+// Within a scan of a JPEG 0xff is always escaped, so that a complete scan is one that the
+// end mark follows. Cameras may append other data after it.
 std::string_view flaw_of_jpeg(std::string_view bytes) {
     const auto scan = bytes.rfind("\xff\xda");
     const auto end = bytes.rfind("\xff\xd9");

@@ -54,7 +54,7 @@ Font font_of(const FcPattern* pattern) {
     return font;
 }
 
-// How well a font answers to a name, 0 best; none when it does not.
+// How well a font fits a name, where 0 is best; none when it does not fit.
 std::optional<int> fit(const FcPattern* pattern, std::string_view asked) {
     for (int i = 0; !text_of(pattern, FC_FULLNAME, i).empty(); ++i)
         if (equal_but_for_case(text_of(pattern, FC_FULLNAME, i), asked)) return 0;
@@ -73,8 +73,8 @@ std::optional<Font> font_named(const std::string& asked) {
     const Objects objects(FcObjectSetBuild(FC_FAMILY, FC_FULLNAME, FC_STYLE, FC_FILE,
                                            FC_WEIGHT, FC_SLANT, FC_WIDTH, nullptr));
     const Fonts fonts(FcFontList(nullptr, all.get(), objects.get()));
-    // Of a family alone the upright one of regular weight and width; the file's name
-    // decides between equals.
+    // When only a family is asked for, its upright font of regular weight and width is
+    // best. The file's name decides between equals.
     using Rank = std::tuple<int, bool, int, int, std::string>;
     std::optional<std::pair<Rank, Font>> best;
     for (int i = 0; fonts && i < fonts->nfont; ++i) {

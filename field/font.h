@@ -16,14 +16,14 @@ struct Font {
     std::string file;
 };
 
-// The font of that full name, or of a family and a style, as `fc-list` prints them, no
-// matter the case; else what stands for it (its name tells). Throws failure() when no
-// font is installed at all.
+// The installed font with this full name, or with this family and style, as `fc-list`
+// prints them; upper and lower case are the same. Otherwise the font that fontconfig puts
+// in its place, which is_named() tells. Throws failure() when no font is installed.
 Font installed_font(const std::string& asked);
 bool is_named(const Font& font, std::string_view asked);
 
-// Those of the characters that the font, or any that is installed, has no shape for; each
-// once, in order.
+// The characters for which the font, or every installed font, has no shape: each once, in
+// order.
 std::vector<char32_t> without_shape(const Font& font,
                                     const std::vector<char32_t>& characters);
 std::vector<char32_t> without_any_shape(const std::vector<char32_t>& characters);

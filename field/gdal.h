@@ -11,8 +11,8 @@
 
 namespace cydonia {
 
-// Internal to field/: GDAL ready for use and silent while this stands. What it would have
-// printed becomes part of our messages.
+// Internal to field/. While this object exists, GDAL is ready for use and prints nothing;
+// what it would have printed becomes part of our messages.
 class QuietGdal {
   public:
     QuietGdal() {
@@ -36,7 +36,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-// One band in memory, for GDAL's algorithms.
+// A dataset of one band in memory, for GDAL's algorithms.
 Dataset memory_dataset(int width, int height, GDALDataType type);
 void store(const Field<float>& values, GDALDataset& dataset);
 void load(GDALDataset& dataset, Field<float>& values);

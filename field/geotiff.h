@@ -10,13 +10,13 @@
 
 namespace cydonia {
 
-// Internal to field/: what all files that GDAL writes for us have in common.
+// Internal to field/: what all files that we write through GDAL have in common.
 
-// The land's own plane.
+// The coordinate system of a terrain: metres in a plane of its own.
 OGRSpatialReference local_metres();
 
-// A file in memory, gone with this: so that only write_text meets the disk, where GDAL
-// reports a full one on some paths only.
+// A file in memory that lasts as long as this object. GDAL does not report a full disk on
+// all of its paths, so that only write_text() writes to the disk.
 class MemoryFile {
   public:
     MemoryFile();
@@ -31,9 +31,9 @@ class MemoryFile {
     std::string name_;
 };
 
-// A new file for metres, its north-west corner `west` and `north` metres from the land's
-// south-west corner. `options` are those of GDAL's driver besides the compression. Null
-// when it cannot be made.
+// Makes a new file of heights in metres whose north-west corner lies `west` and `north`
+// metres from the land's south-west corner. `options` are passed to GDAL's driver besides
+// the compression. Null when the file cannot be made.
 Dataset new_geotiff(const char* name, int width, int height, double spacing, double west,
                     double north, std::initializer_list<const char*> options);
 

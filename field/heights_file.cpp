@@ -33,7 +33,8 @@ StoredHeights in_levels(const Heights16& heights) {
     return result;
 }
 
-// As they lie in memory: every processor we build for is little-endian.
+// The bytes as they lie in memory, since every processor that we build for is
+// little-endian.
 template <class T>
 std::string bytes_of(const Field<T>& values) {
     std::string bytes(values.size() * sizeof(T), '\0');
@@ -41,7 +42,7 @@ std::string bytes_of(const Field<T>& values) {
     return bytes;
 }
 
-// North to south, west to east, at the cells' centres.
+// Rows run from north to south and columns from west to east, at the cells' centres.
 std::string xyz_of(const Terrain& terrain) {
     const Field<float>& heights = terrain.heights;
     if (std::max(heights.width(), heights.height()) > kMostXyzSamples)
@@ -58,10 +59,10 @@ std::string xyz_of(const Terrain& terrain) {
     return text;
 }
 
-// GDAL writes a Terragen file once it has a grid in metres.
+// GDAL writes a Terragen file only from a grid in metres.
 Dataset new_ter(const char* name, const Terrain& terrain) {
     const auto [low, high] = std::ranges::minmax(terrain.heights);
-    // Its own rounding is a little larger than the range that it is told.
+    // GDAL's rounding may slightly exceed the range that it is given.
     const double margin = 0.001 * std::max(1.0, static_cast<double>(high) - low);
     const std::string least = fmt::format("MINUSERPIXELVALUE={}", low - margin);
     const std::string most = fmt::format("MAXUSERPIXELVALUE={}", high + margin);
@@ -80,7 +81,7 @@ Dataset new_ter(const char* name, const Terrain& terrain) {
     return file;
 }
 
-// What another reader gets from the file just made.
+// The scale and offset that another reader gets from the file.
 StoredHeights read_back(const char* name) {
     const Dataset file(GDALDataset::Open(name));
     if (!file) throw failure("GDAL: {}", QuietGdal::message());

@@ -8,8 +8,8 @@
 
 namespace cydonia {
 
-// Heights in files that other programs open. Rows run from north to south and columns
-// from west to east, but for Terragen's, which lie in the file from south to north.
+// Formats of heights for other programs. Rows run from north to south and columns from
+// west to east, except in Terragen files, whose rows run from south to north.
 enum class HeightFormat {
     kTer,    // Terragen: 16 bits
     kTif,    // GeoTIFF: 32-bit float metres
@@ -20,7 +20,8 @@ enum class HeightFormat {
     kXyz,    // text: east, north and height in metres, a line a sample
 };
 
-// "png16", as the command line names it; and what its files end with: "png".
+// The format's name on the command line, such as "png16", and the extension of its files,
+// such as "png".
 std::string_view name_of(HeightFormat format);
 std::string_view extension_of(HeightFormat format);
 

@@ -33,8 +33,8 @@ constexpr Format kFormats[] = {
     {"pnm", "P6"},
 };
 
-// The format by what the file holds, whatever its name says; files of strangers meet no
-// other decoder than these.
+// Finds the format by the file's content, whatever its name says. Untrusted files reach
+// no other decoder than these.
 const char* format_of(const std::filesystem::path& path) {
     char bytes[4] = {};
     std::ifstream in(path, std::ios::binary);
@@ -45,14 +45,14 @@ const char* format_of(const std::filesystem::path& path) {
     throw bad_request("{}: not a PNG, JPEG, TIFF, OpenEXR or PNM image", path.string());
 }
 
-// What a library says, on one line.
+// A library's message, on one line.
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     while (!text.empty() && text.back() == ' ') text.pop_back();
     return text.empty() ? "no reason given" : text;
 }
 
-// An image opened and found sane; nothing of its size is allocated yet.
+// An image that was opened and checked. Nothing of its size is allocated yet.
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path) : path_(path) {
@@ -71,11 +71,12 @@ class Reader {
 
     const OIIO::ImageSpec& spec() const { return spec_; }
 
-    // Calls use(y, values) for every row, north to south, with the first `channels`
-    // channels interleaved.
+    // Calls use(y, values) for every row from north to south. The first `channels`
+    // channels are interleaved in `values`.
     template <class T, class Use>
     void rows(int channels, const Use& use) {
-        // One by one: several scanlines of a TIFF come without an error where it is cut.
+        // The rows are read one by one: a cut TIFF reports no error when several are read
+        // at once.
         const int step = spec_.tile_width ? spec_.tile_height : 1;
         const std::size_t row_size = std::size_t(spec_.width) * std::size_t(channels);
         std::vector<T> block(row_size * std::size_t(std::min(step, spec_.height)));
@@ -120,13 +121,15 @@ class Reader {
                            path_.string(), y, spec_.height, one_line(input_->geterror()));
     }
 
-    const QuietGdal quiet_;  // GDAL takes over what libtiff has to say, OpenImageIO's too
+    const QuietGdal
+        quiet_;  // GDAL also receives the messages of libtiff that OpenImageIO causes
     std::filesystem::path path_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;
 };
 
-// Where red, green, blue and alpha stand among the first channels; alpha -1 when opaque.
+// The indices of red, green, blue and alpha among the first channels; alpha is -1 in an
+// opaque image.
 struct Layout {
     int channels, green, blue, alpha;
 };
@@ -140,7 +143,8 @@ Layout layout_of(const OIIO::ImageSpec& spec) {
 
 float clamped(float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; }
 
-// Stored values weighted as Rec. 709 weighs light; 0 to 1 whatever the file holds.
+// Stored values weighted as Rec. 709 weights light, and limited to 0 to 1 whatever the
+// file holds.
 float grey_of(const float* values, const Layout& at) {
     const float luma = at.green == 0 ? values[0]
                                      : 0.2126f * values[0] + 0.7152f * values[at.green] +
@@ -155,7 +159,7 @@ std::uint64_t pixels_of(const Source& source) {
     try {
         const Reader reader(source.path);
         return std::uint64_t(reader.spec().width) * std::uint64_t(reader.spec().height);
-    } catch (const Error&) {  // reading it will say why
+    } catch (const Error&) {  // read_rgba() and the others will give the reason
         return 0;
     }
 }

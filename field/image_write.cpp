@@ -11,12 +11,12 @@
 namespace cydonia {
 namespace {
 
-// Red, green, blue and white, x and y each, of the ACES document S-2014-004.
+// The x and y of red, green, blue and white in the ACES document S-2014-004.
 constexpr float kAcesCgChromaticities[8] = {0.713f, 0.293f, 0.165f,   0.830f,
                                             0.128f, 0.044f, 0.32168f, 0.33767f};
 
-// Encoded in memory, so that only write_text meets the disk: OpenImageIO does not notice
-// every write that fails.
+// Encodes an image in memory, so that only write_text() writes to the disk: OpenImageIO
+// does not notice every write that fails.
 std::string encoded(const std::string& name, const char* format,
                     const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                     const void* values) {
@@ -61,7 +61,7 @@ void write_png(const std::filesystem::path& path, const Field<std::uint8_t>& gre
     write_png_of(path, grey, 1, OIIO::TypeUInt8, "sRGB", level);
 }
 
-// Heights, as a rule: labelled linear, the values untouched.
+// The values are mostly heights: they are labelled linear and left unchanged.
 void write_png(const std::filesystem::path& path, const Field<std::uint16_t>& grey,
                int level) {
     write_png_of(path, grey, 1, OIIO::TypeUInt16, "Linear", level);

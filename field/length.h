@@ -14,8 +14,8 @@ struct Length {
 
 constexpr Length metres(double value) { return {value, 0.0}; }
 constexpr Length of_width(double fraction) { return {0.0, fraction}; }
-// Rusnell 2009 counts lengths, heights and costs in cells of a 512-sample grid (notes.md,
-// Rusnell 1).
+// Rusnell 2009 counts lengths, heights and costs in cells of a 512-sample grid
+// (docs/papers.md, Rusnell 1).
 constexpr Length thesis_units(double value) { return {0.0, value / 512.0}; }
 
 }  // namespace cydonia

@@ -5,7 +5,7 @@
 
 namespace cydonia {
 
-// Text as XML and HTML take it, in elements and in quoted attributes.
+// Escapes text for XML and HTML, in elements and in quoted attributes.
 std::string escaped(std::string_view text);
 
 }  // namespace cydonia

@@ -15,8 +15,8 @@
 namespace cydonia {
 namespace {
 
-// As it lies in memory: every processor we build for is little-endian, as are the
-// formats.
+// The bytes as they lie in memory: every processor that we build for is little-endian, as
+// are the formats.
 template <class T>
 void append(std::string& bytes, const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -15,17 +15,17 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// The triangles between width x height samples, row 0 in the north, each square split
-// NW-SE and facing up.
+// The triangles between width x height samples, whose row 0 is in the north. Each square
+// is split NW-SE, and all triangles face up.
 std::vector<std::array<std::uint32_t, 3>> triangles_over(int width, int height);
 
 // Binary STL, OBJ and binary PLY.
 enum class MeshFormat { kStl, kObj, kPly };
 
-// "stl": as the command line and the file's extension name it.
+// The format's name on the command line and the file's extension, such as "stl".
 std::string_view name_of(MeshFormat format);
 
-// What a file of the mesh holds, at most 50 bytes a triangle. It has triangles.
+// The bytes of a file of the mesh, at most 50 a triangle. The mesh must have triangles.
 std::string file_of(const Mesh& mesh, MeshFormat format);
 
 }  // namespace cydonia

@@ -7,8 +7,8 @@
 
 namespace cydonia {
 
-// Gradient noise (Perlin 2002) at a real point, in about [-1, 1], 0 at integer points;
-// the lattice's gradients are a hash of `seed`.
+// Gradient noise (Perlin 2002) at a point: in about [-1, 1], and 0 at integer points. The
+// gradients of the lattice are a hash of `seed`.
 double gradient_noise(double x, double y, std::uint64_t seed);
 
 // Rusnell 2009, Algorithm 1 and section 4.1; ridged: Musgrave's ridged multifractal.
@@ -25,11 +25,11 @@ struct NoiseOptions {
     bool operator==(const NoiseOptions&) const = default;
 };
 
-// Value at (x, y) given in fractions of the terrain's width, unscaled.
+// The unscaled value at (x, y), which are fractions of the terrain's width.
 double noise_at(const NoiseOptions& options, double x, double y, std::uint64_t seed);
 
-// Sampled at cell centres of a width x height grid whose width spans 1, times `scale`
-// metres.
+// The values at the cell centres of a width x height grid whose width spans 1, times
+// `scale` metres.
 Field<float> noise_field(const NoiseOptions& options, int width, int height, double scale,
                          std::uint64_t seed);
 

@@ -8,14 +8,15 @@
 
 namespace cydonia {
 
-// Real elevation models that Debian packages bring, by the names that scenes give them.
+// The names by which scenes call the real elevation models that Debian packages contain.
 std::vector<std::string> packaged_dems();
 
-// A description that ships with the program, for read_dem; its hash and size are those of
-// the package's file too. Throws bad_request: the package is missing, and which it is.
+// Opens the description of such a model, which ships with the program, for read_dem().
+// Its hash and size include the package's file. Throws bad_request that names the package
+// when it is not installed.
 Source open_packaged_dem(const std::string& name);
 
-// Whether a file is such a description: it makes GDAL open another one.
+// Whether a file is such a description, which makes GDAL open another file.
 bool is_packaged_dem(const std::filesystem::path& path);
 
 }  // namespace cydonia

@@ -5,9 +5,9 @@
 
 namespace cydonia {
 
-// body(i) for every i in [0, count), in any order, on as many threads as the program was
-// given. Bodies write to places of their own, so results do not depend on the thread
-// count.
+// Calls body(i) for every i in [0, count), in any order, on as many threads as the
+// program was given. Each call must write only to places of its own, so that the result
+// does not depend on the number of threads.
 template <class Body>
 void parallel_for(int count, int grain, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<int>(0, count, static_cast<std::size_t>(grain)),

@@ -6,7 +6,7 @@
 
 namespace cydonia {
 
-// Cells [x, x + width) x [y, y + height), which must lie in `from`.
+// The cells [x, x + width) x [y, y + height) of `from`, which must contain them.
 template <class T>
 Field<T> part(const Field<T>& from, int x, int y, int width, int height) {
     Field<T> result(width, height);

@@ -6,9 +6,9 @@
 
 namespace cydonia {
 
-// POV-Ray computes in linear Rec.709, and scenes and deliveries are ACEScg: the one
-// conversion between them. White stays white: Rec.709 to XYZ, Bradford from D65 to the
-// ACES white, XYZ to AP1 (S-2014-004).
+// The one conversion between linear Rec.709, in which POV-Ray computes, and ACEScg, in
+// which scenes and deliveries are. White stays white: Rec.709 to XYZ, Bradford from D65
+// to the ACES white, XYZ to AP1 (S-2014-004).
 using PrimariesMatrix = std::array<Rgb, 3>;
 inline constexpr PrimariesMatrix kAcesCgFromRec709{
     {{0.6130974f, 0.3395231f, 0.0473795f},

@@ -4,25 +4,28 @@
 
 namespace cydonia {
 
-// Where long steps say how far they are. One sink, owned by app/.
+// Receives the progress of long steps. app/ owns the only one.
 class Progress {
   public:
     virtual ~Progress() = default;
     // A new step begins: "text: casting shadows".
     virtual void step(std::string_view name) = 0;
-    // 0 to 1 within the step; any thread, often. Throws Interrupted after Ctrl-C.
+    // The share of the step that is done, 0 to 1. May be called often and by any thread.
+    // Throws Interrupted after Ctrl-C.
     virtual void report(double fraction) = 0;
-    // How good the step's work is by now, shown beside how far it is: "fitness 0.71".
+    // A measure of the step's result so far, such as "fitness 0.71", which is shown
+    // beside its progress.
     virtual void figure(std::string_view) {}
-    // A sentence the user should read: what was resampled, what was chosen.
+    // A sentence for the user, such as what was resampled or chosen.
     virtual void note(std::string_view sentence) = 0;
     virtual void warn(std::string_view sentence) = 0;
 };
 
-// The user pressed Ctrl-C: unwound to main, which cleans up and ends by that signal.
+// Thrown after the user pressed Ctrl-C. It unwinds to main(), which cleans up and ends
+// the program by that signal.
 struct Interrupted {};
 
-// Says nothing: for tests.
+// Ignores everything; for tests.
 class SilentProgress final : public Progress {
   public:
     void step(std::string_view) override {}

@@ -17,7 +17,7 @@ constexpr std::uint64_t mix(std::uint64_t z) {
     return z ^ (z >> 31);
 }
 
-// A purpose or a name as a key: FNV-1a.
+// A number for a purpose or a name (FNV-1a).
 constexpr std::uint64_t key(std::string_view text) {
     std::uint64_t h = 0xcbf29ce484222325ULL;
     for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;

@@ -2,7 +2,8 @@
 
 namespace cydonia {
 
-// For std::unique_ptr of what a C library made: released by the library's own function.
+// The deleter of a std::unique_ptr to an object of a C library, which the library's own
+// function releases.
 template <auto kRelease>
 struct Released {
     template <class T>

@@ -9,13 +9,14 @@
 namespace cydonia {
 namespace {
 
-// The samples first, first + 1, ... that one output sample weighs; weights sum to 1.
+// The weights of the input samples first, first + 1, ... in one output sample. They sum
+// to 1.
 struct Window {
     int first = 0;
     std::vector<double> weights;
 };
 
-// Shrinking: the share of each input cell that the output cell covers.
+// For shrinking: the share of each input cell that the output cell covers.
 Window covered(int i, int from, int to) {
     const double begin = double(i) * from / to;
     const double end = double(i + 1) * from / to;
@@ -26,7 +27,8 @@ Window covered(int i, int from, int to) {
     return window;
 }
 
-// Growing: linear between the two nearest centres, constant beyond the outermost ones.
+// For growing: linear between the two nearest centres, constant beyond the outermost
+// ones.
 Window between(int i, int from, int to) {
     const double at = std::clamp((i + 0.5) * from / to - 0.5, 0.0, from - 1.0);
     const int first = std::min(static_cast<int>(at), std::max(from - 2, 0));
@@ -41,7 +43,7 @@ std::vector<Window> windows(int from, int to) {
     return result;
 }
 
-// Every row through the windows; the result is transposed, so that twice does both axes.
+// Resamples every row. The result is transposed, so that two calls resample both axes.
 Field<float> resized_across(const Field<float>& image, int width) {
     Field<float> result(image.height(), width);
     const std::vector<Window> columns = windows(image.width(), width);

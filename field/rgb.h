@@ -19,13 +19,13 @@ inline Rgb operator*(double s, const Rgb& c) {
     const auto f = static_cast<float>(s);
     return {f * c[0], f * c[1], f * c[2]};
 }
-// a where t is 0, b where it is 1.
+// Interpolates from a, at t = 0, to b, at t = 1.
 inline Rgb mixed(const Rgb& a, const Rgb& b, double t) {
     const auto f = static_cast<float>(t);
     return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
 }
 
-// IEC 61966-2-1, of linear light 0 to 1.
+// The sRGB level (IEC 61966-2-1) of linear light from 0 to 1.
 inline std::uint8_t srgb_level(double linear) {
     const double v = std::clamp(linear, 0.0, 1.0);
     const double encoded =

@@ -6,8 +6,8 @@
 
 namespace cydonia {
 
-// Bilinear value at a point of the grid, in cells: (x, y) is the centre of cell (x, y).
-// Beyond the outer centres the nearest value. The field has at least one cell.
+// The bilinear value at (x, y) in cells, where integers are the centres of cells. Beyond
+// the outer centres it is the nearest value. The field must have at least one cell.
 inline float bilinear(const Field<float>& field, double x, double y) {
     x = std::clamp(x, 0.0, field.width() - 1.0);
     y = std::clamp(y, 0.0, field.height() - 1.0);

@@ -17,17 +17,17 @@ double keys(double x) {
     return 0.0;
 }
 
-// The cells first, first + 1, ... that one sample weighs; weights sum to 1.
+// The weights of the cells first, first + 1, ... in one sample. They sum to 1.
 struct Taps {
     int first = 0;
     std::vector<double> weights;
 };
 
-// Samples along one axis of a grid.
+// The samples along one axis of a grid.
 struct Axis {
     double begin, cell;
     int first;  // sample
-    int from;   // the cell of the grid that is the first there is
+    int from;   // the cell of the grid that is the first in memory
 };
 
 Taps taps_at(const Axis& axis, int sample) {
@@ -49,8 +49,8 @@ std::vector<Taps> all_taps(const Axis& axis, int samples) {
     return taps;
 }
 
-// Rows [top, bottom) through the taps; the result is transposed, so that twice does both
-// axes.
+// Resamples the rows [top, bottom). The result is transposed, so that two calls resample
+// both axes.
 Field<float> across(const Field<float>& field, int top, int bottom,
                     const std::vector<Taps>& columns) {
     Field<float> result(bottom - top, static_cast<int>(columns.size()));
@@ -73,7 +73,7 @@ Field<float> across(const Field<float>& field, int top, int bottom,
 
 Field<float> sampled(const Field<float>& from, const SampleGrid& grid, int width,
                      int height) {
-    // Only the rows that some sample weighs.
+    // Only the rows that contribute to some sample are resampled.
     const double reach = 2.0 * std::max(1.0, grid.cell) + 1.0;
     const double north = grid.north + grid.row * grid.cell - grid.from_row;
     const int top =

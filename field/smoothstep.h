@@ -4,7 +4,8 @@
 
 namespace cydonia {
 
-// From 0 at `none` to 1 at `full`, level at both ends; falling where full < none.
+// Rises from 0 at `none` to 1 at `full` and is level at both ends; it falls where full <
+// none.
 constexpr double smoothstep(double none, double full, double x) {
     const double t = std::clamp((x - none) / (full - none), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);

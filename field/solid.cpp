@@ -19,7 +19,8 @@ void expect_within(const char* name, double value, double low, double high,
     throw bad_request("{}: {} is not between {} and {}{}", name, value, low, high, unit);
 }
 
-// The surface's outermost samples, counter-clockwise from above, from the north-west.
+// The surface's outermost samples from the north-west one on, counter-clockwise as seen
+// from above.
 std::vector<std::uint32_t> border_of(const Field<float>& heights) {
     const int right = heights.width() - 1, bottom = heights.height() - 1;
     std::vector<std::uint32_t> border;
@@ -33,7 +34,8 @@ std::vector<std::uint32_t> border_of(const Field<float>& heights) {
     return border;
 }
 
-// Down from the surface's border, and the plate's underside about its middle.
+// Appends the walls below the surface's border, and the plate's underside as a fan about
+// its middle.
 void close(Mesh& mesh, const std::vector<std::uint32_t>& border, const Vec3& size) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const auto count = static_cast<std::uint32_t>(border.size());

@@ -6,7 +6,8 @@
 
 namespace cydonia {
 
-// A file that a scene names, checked at the door and opened when needed.
+// A file that a scene names. It is checked when the scene is read and opened when it is
+// needed.
 struct Source {
     std::filesystem::path path;  // absolute
     std::uint64_t hash = 0;      // xxHash (XXH3, 64 bits) of its bytes
@@ -16,8 +17,8 @@ struct Source {
 };
 
 // Hashes the file. Throws bad_request when it is missing, a folder, empty, unreadable or
-// larger than 4 GiB; the message names the path only, callers prefix where it was asked
-// for.
+// larger than 4 GiB. The message names the path only; callers put before it where the
+// path stands.
 Source open_source(const std::filesystem::path& path);
 
 }  // namespace cydonia

@@ -24,7 +24,7 @@ int pixels_a_cell(int width, int height, int finest, int most) {
 constexpr Rgba8 kNothing{};
 constexpr std::uint8_t kWhite = 250;  // and above: paper, JPEG's noise included
 
-// A pixel is drawn, opaque, or nothing.
+// A pixel is either drawn and opaque, or all zero.
 Rgba8 snapped(Rgba8 pixel) {
     const auto [r, g, b, alpha] = pixel;
     if (alpha < 128 || (r >= kWhite && g >= kWhite && b >= kWhite)) return kNothing;
@@ -59,7 +59,7 @@ Rgba8 black_or_nothing(Rgba8 pixel) {
 
 using Palette = std::span<const std::array<std::uint8_t, 3>>;
 
-// The nearest colour of the palette, the greatest difference of a channel counting.
+// The nearest colour of the palette by the greatest difference in a channel.
 std::optional<Rgba8> named(Rgba8 pixel, Palette palette) {
     int least = 49;
     std::optional<Rgba8> nearest;
@@ -80,7 +80,7 @@ bool near_a_stroke(const Field<Rgba8>& image, int x0, int y0) {
     return false;
 }
 
-// The image in the palette's colours.
+// The image with every pixel in a colour of the palette.
 Field<Rgba8> painted_with(Palette palette, const Field<Rgba8>& image,
                           const Source& source) {
     Field<Rgba8> result(image.width(), image.height(), kNothing);
@@ -98,14 +98,14 @@ Field<Rgba8> painted_with(Palette palette, const Field<Rgba8>& image,
         if (near_a_stroke(result, x, y)) continue;
         throw bad_request(
             "colour #{:02x}{:02x}{:02x} of {} has no group or type: give it one, or "
-            "leave it out",
+            "remove it from the drawing",
             image[i][0], image[i][1], image[i][2], source.name());
     }
     return result;
 }
 
-// The pixels [begin, end) whose centres fall in cell i; where the image is coarser than
-// the grid, the one pixel that holds the cell's centre.
+// The pixels [begin, end) whose centres lie in cell i. Where the image is coarser than
+// the grid, it is the one pixel that holds the cell's centre.
 std::pair<int, int> pixels_of_cell(int i, int cells, int pixels) {
     const auto first = [&](std::int64_t cell) {
         return static_cast<int>((2 * cell * pixels + cells - 1) / (2 * cells));
@@ -117,7 +117,7 @@ std::pair<int, int> pixels_of_cell(int i, int cells, int pixels) {
     return {nearest, nearest + 1};
 }
 
-// The colour that most of the drawn pixels have, nothing where none is drawn.
+// The colour of most of the drawn pixels; all zero when none is drawn.
 class Vote {
   public:
     void clear() { counts_.clear(); }
@@ -138,7 +138,7 @@ class Vote {
     std::vector<std::pair<Rgba8, int>> counts_;
 };
 
-// A cell that a stroke touches is drawn: thin strokes stay, and stay connected.
+// A cell that a stroke touches is drawn, so that thin strokes do not vanish or break.
 Field<Rgba8> touched_cells(const Field<Rgba8>& image, int width, int height) {
     Field<Rgba8> cells(width, height, kNothing);
     parallel_for(height, kRows, [&](int y) {
@@ -181,7 +181,7 @@ Field<Rgba8> read_strokes(const Source& source, int width, int height, Palette p
     Field<Rgba8> cells = touched_cells(image, width, height);
     if (std::all_of(cells.begin(), cells.end(), [](Rgba8 p) { return p == kNothing; }))
         throw bad_request(
-            "{}: nothing is drawn in it (white and transparent count as nothing)",
+            "{}: nothing is drawn in it (white and transparent pixels do not count)",
             source.path.string());
     return cells;
 }

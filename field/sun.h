@@ -14,7 +14,7 @@ struct Sun {
     bool operator==(const Sun&) const = default;
 };
 
-// Unit vector from the ground to the sun.
+// The unit vector from the ground to the sun.
 inline Vec3 direction_to(const Sun& sun) {
     const double c = std::cos(sun.elevation);
     return {std::sin(sun.azimuth) * c, std::cos(sun.azimuth) * c,

@@ -35,8 +35,8 @@ double julian_century(const Date& date, double utc_hour) {
 double sine(double degrees_) { return std::sin(radians(degrees_)); }
 double cosine(double degrees_) { return std::cos(radians(degrees_)); }
 
-// The smallest value of `f` over [from, to], where it has a valley in every step of the
-// coarse search that holds its lowest point. Golden sections after that.
+// The place in [from, to] where `f` is smallest: a coarse search finds the step that
+// holds it, and trisection refines it, since `f` has a single valley there.
 template <class F>
 double lowest(const F& f, double from, double to) {
     constexpr int kSteps = 144;  // ten minutes of a day
@@ -55,13 +55,13 @@ double lowest(const F& f, double from, double to) {
         const bool left = f(low + third) <= f(high - third);
         (left ? high : low) = left ? high - third : low + third;
     }
-    // The ends of the search are as good as what lies between.
+    // The smallest value may also lie at an end of the search.
     const double middle = 0.5 * (low + high);
     if (f(from) <= f(middle)) return from;
     return f(to) < f(middle) ? to : middle;
 }
 
-// Where f, which is below zero at `below` and not at `above`, passes through it.
+// Where `f`, which is negative at `below` and not at `above`, becomes zero.
 template <class F>
 double crossing(const F& f, double below, double above) {
     for (int i = 0; i < 40; ++i) {
@@ -126,7 +126,7 @@ SolarTime solar_time(const Date& date, double utc_hour) {
     const double centre = sine(anomaly) * (1.914602 - t * (0.004817 + 0.000014 * t)) +
                           sine(2.0 * anomaly) * (0.019993 - 0.000101 * t) +
                           sine(3.0 * anomaly) * 0.000289;
-    // Nutation and aberration.
+    // Corrections for nutation and aberration.
     const double node = 125.04 - 1934.136 * t;
     const double longitude = mean_longitude + centre - 0.00569 - 0.00478 * sine(node);
     const double seconds = 21.448 - t * (46.8150 + t * (0.00059 - t * 0.001813));
@@ -140,7 +140,7 @@ SolarTime solar_time(const Date& date, double utc_hour) {
         4.0 * eccentricity * y * sine(anomaly) * cosine(2.0 * mean_longitude) -
         0.5 * y * y * sine(4.0 * mean_longitude) -
         1.25 * eccentricity * eccentricity * sine(2.0 * anomaly);
-    // Four minutes a degree.
+    // The Earth turns by one degree in four minutes.
     return {std::asin(sine(obliquity) * sine(longitude)), 4.0 * degrees(equation)};
 }
 
@@ -172,7 +172,7 @@ double refraction(double elevation) {
     return radians(seconds / 3600.0);
 }
 
-Sun sun_at(const Place& place, const Date& date, double utc_hour, bool air) {
+Sun sun_at(const GeographicPosition& place, const Date& date, double utc_hour, bool air) {
     const SolarTime time = solar_time(date, utc_hour);
     const double hour_angle =
         radians(15.0 * (utc_hour - 12.0) + time.equation / 4.0) + place.longitude;
@@ -186,7 +186,7 @@ double angle_between(const Sun& a, const Sun& b) {
     return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
-SunPath sun_path(const Place& place, const Date& date, double time_zone) {
+SunPath sun_path(const GeographicPosition& place, const Date& date, double time_zone) {
     return [=](double hour) { return sun_at(place, date, hour - time_zone); };
 }
 
@@ -216,8 +216,8 @@ Approach nearest(const SunPath& path, const Sun& wanted, const Hours& hours) {
     return {hour, path(hour), off(hour)};
 }
 
-std::vector<DayApproach> approaches_in(int year, const Place& place, double time_zone,
-                                       const Sun& wanted) {
+std::vector<DayApproach> approaches_in(int year, const GeographicPosition& place,
+                                       double time_zone, const Sun& wanted) {
     std::vector<DayApproach> days;
     for (long day = day_number({year, 1, 1}); day < day_number({year + 1, 1, 1}); ++day) {
         const Date date = date_of_day(day);
@@ -246,7 +246,7 @@ Arc arc_through(const Sun& sun) {
             least = dislike;
         }
     }
-    // Only a sun on the very horizon, due north or south, is beyond.
+    // Only a sun on the horizon in the north or south leads beyond this.
     const double side = north > 0.0 ? -1.0 : 1.0;
     return best.value_or(Arc{side * radians(kFarthest), -side * kSolstice});
 }

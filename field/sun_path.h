@@ -14,10 +14,10 @@ namespace cydonia {
 // ed. 1998, chapters 22, 25 and 28. Within 0.02 degrees for dates from 1900 to 2100.
 // Angles in radians, hours as a clock shows them; the Gregorian calendar.
 
-// On the Earth; latitude north and longitude east are positive.
-struct Place {
+// A position on the Earth in radians: latitude north and longitude east are positive.
+struct GeographicPosition {
     double latitude = 0.0, longitude = 0.0;
-    bool operator==(const Place&) const = default;
+    bool operator==(const GeographicPosition&) const = default;
 };
 
 struct Date {
@@ -34,42 +34,46 @@ Date date_of_day(long day_number);
 // "17:42"; hours beyond the day are those of the day before or after.
 std::string clock_text(double hour);
 
-// What the calendar makes of the sun, wherever one stands.
+// What the date alone decides of the sun, for every position on the Earth.
 struct SolarTime {
     double declination;  // radians
     double equation;     // of time, minutes: a sundial less a clock
 };
 SolarTime solar_time(const Date& date, double utc_hour);
 
-// A sun of this declination, `hour_angle` after noon (a full turn a day), from a
-// latitude.
+// The sun of this declination as seen from a latitude, `hour_angle` after noon; a full
+// turn is a day.
 Sun sun_over(double latitude, double declination, double hour_angle);
-// What the air lifts a sun that stands there without air; NOAA's approximation.
+// The angle by which the air lifts a sun that would stand at `elevation` without air
+// (NOAA's approximation).
 double refraction(double elevation);
-// With `air` as it is seen and as it throws shadows, lifted by refraction.
-Sun sun_at(const Place& place, const Date& date, double utc_hour, bool air = true);
+// The sun at a date and hour. With `air` it is lifted by refraction, as it is seen and as
+// it casts shadows.
+Sun sun_at(const GeographicPosition& place, const Date& date, double utc_hour,
+           bool air = true);
 
 // The angle between two suns as seen from the ground.
 double angle_between(const Sun& a, const Sun& b);
 
-// The sun over a day by the hour of a clock; any hour, also of the days before and after.
+// The sun by the hour of a clock. Hours before 0 and after 24 belong to the days before
+// and after.
 using SunPath = std::function<Sun(double hour)>;
 // `time_zone`: hours that the clock is ahead of UTC.
-SunPath sun_path(const Place& place, const Date& date, double time_zone);
-// By a sundial, without air.
+SunPath sun_path(const GeographicPosition& place, const Date& date, double time_zone);
+// The same by a sundial, without air.
 SunPath sun_path(double latitude, double declination);
 
-// When the sun stands highest in the hours 0 to 24.
+// The hour from 0 to 24 at which the sun stands highest.
 double noon_of(const SunPath& path);
 
-// The hours around noon, half a day either way, in which the sun stands at least so high;
-// none when it never does. The whole day where it never sinks below.
+// The hours around noon, within half a day either way, in which the sun stands at least
+// at `elevation`: none when it never does, the whole day when it never sinks below.
 struct Hours {
     double from, to;
 };
 std::optional<Hours> hours_above(const SunPath& path, double elevation);
 
-// When within `hours` the sun comes nearest to where it is wanted, and how near.
+// The hour at which the sun comes nearest to the wanted one, and how near it comes.
 struct Approach {
     double hour = 0.0;
     Sun sun;           // then
@@ -77,16 +81,18 @@ struct Approach {
 };
 Approach nearest(const SunPath& path, const Sun& wanted, const Hours& hours);
 
-// The nearest of every day of a year, above the horizon; days without sun are left out.
+// The nearest approach on every day of a year, with the sun above the horizon. Days
+// without sun are left out.
 struct DayApproach {
     Date date;
     Approach approach;
 };
-std::vector<DayApproach> approaches_in(int year, const Place& place, double time_zone,
-                                       const Sun& wanted);
+std::vector<DayApproach> approaches_in(int year, const GeographicPosition& place,
+                                       double time_zone, const Sun& wanted);
 
-// A latitude and a season whose sun passes through `sun`: declinations are those of the
-// real sun, the latitude the one nearest to 40 degrees north or south.
+// A latitude and a declination whose sun passes through `sun`. The declination is one
+// that the real sun reaches, and the latitude is as near to 40 degrees north or south as
+// possible.
 struct Arc {
     double latitude, declination;
 };

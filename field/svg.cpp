@@ -18,14 +18,13 @@ constexpr std::size_t kLargestSvg = std::size_t{32} << 20;
 
 constexpr std::string_view kCrispStyle =
     "* { shape-rendering: crispEdges !important; text-rendering: optimizeSpeed "
-    "!important; "
-    "image-rendering: optimizeSpeed !important }";
+    "!important; image-rendering: optimizeSpeed !important }";
 
 using Handle = std::unique_ptr<RsvgHandle, Released<g_object_unref>>;
 using Surface = std::unique_ptr<cairo_surface_t, Released<cairo_surface_destroy>>;
 using Canvas = std::unique_ptr<cairo_t, Released<cairo_destroy>>;
 
-// Calls act(&error) and turns what it reports into a bad_request.
+// Calls act(&error) and turns an error that it reports into a bad_request.
 template <class Act>
 auto checked(const std::string& name, const Act& act) {
     GError* error = nullptr;
@@ -37,9 +36,9 @@ auto checked(const std::string& name, const Act& act) {
     throw bad_request("{}: {}", name, reason);
 }
 
-// Magnified text makes Pango complain, on the terminal, of font sizes that only its
-// layout asked for; the letters themselves are drawn as outlines. librsvg reports its own
-// errors apart from this.
+// Magnified text makes Pango print warnings about font sizes that only its layout asks
+// for; the letters themselves are drawn as outlines. librsvg reports its own errors
+// separately.
 void silence_glib() {
     static const auto ignore = [](GLogLevelFlags, const GLogField*, gsize, gpointer) {
         return G_LOG_WRITER_HANDLED;
@@ -140,7 +139,9 @@ Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int wid
     const Handle handle = opened(name, text, edges);
     const RsvgRectangle page = page_of(handle.get(), width, height);
     if (!(page.width > 0.0 && page.height > 0.0))
-        throw bad_request("{}: the drawing has no size", name);
+        throw bad_request(
+            "{}: the drawing has no size; give its <svg> a width and height or a viewBox",
+            name);
 
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
     const Canvas canvas(cairo_create(surface.get()));

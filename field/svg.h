@@ -9,21 +9,24 @@
 
 namespace cydonia {
 
-// By the file's first character, '<': images and SVG are told apart by what they hold.
+// Whether a file is an SVG drawing, by its first character '<'. The extension does not
+// matter.
 bool is_svg(const Source& source);
 
-// kCrisp: no pixel between two colours, every pixel drawn or not. kSmooth: antialiased.
+// kCrisp: every pixel has a colour of the drawing or is not drawn at all. kSmooth:
+// antialiased.
 enum class SvgEdges { kCrisp, kSmooth };
 
-// The drawing stretched to width x height pixels, transparent where nothing is drawn, not
-// premultiplied. Files it refers to are not opened. Throws bad_request.
+// Draws an SVG stretched to width x height pixels: transparent where nothing is drawn,
+// not premultiplied. Files that it refers to are not opened. Throws bad_request for what
+// is no drawing.
 Field<Rgba8> read_svg(const Source& source, int width, int height, SvgEdges edges);
-// The same of a drawing's text; messages call it `name`.
+// The same for the text of a drawing, which messages call `name`.
 Field<Rgba8> drawn_svg(const std::string& name, const std::string& text, int width,
                        int height, SvgEdges edges);
 
-// Width and height of the drawing's own page; {0, 0} when it gives none. Throws
-// bad_request.
+// The width and height of the drawing's own page; {0, 0} when it gives none. Throws
+// bad_request for what is no drawing.
 std::array<double, 2> page_size(const Source& source);
 
 }  // namespace cydonia

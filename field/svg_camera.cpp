@@ -29,7 +29,7 @@ const xmlNode* camera_in(const xmlNode& element) {
     return nullptr;
 }
 
-// So many numbers and nothing else.
+// Reads exactly so many numbers and nothing else.
 template <std::size_t N>
 std::optional<std::array<double, N>> numbers(const std::string& text) {
     NumberReader reader(text);

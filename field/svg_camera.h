@@ -10,11 +10,11 @@
 // strokes stay where they were drawn whatever becomes of the scene's cameras.
 namespace cydonia {
 
-// An element for <metadata>. Perspective only.
+// The element for <metadata> that describes a perspective camera.
 std::string svg_camera_text(const Camera& camera);
 
-// The camera whose frame is the drawing's page, of the page's proportions; none where the
-// drawing names none. Throws bad_request for one that cannot be.
+// The camera whose frame is the drawing's page, with the page's proportions; none when
+// the drawing names none. Throws bad_request for values that no camera can have.
 std::optional<Camera> svg_camera(const Source& source);
 
 }  // namespace cydonia

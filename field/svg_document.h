@@ -23,11 +23,11 @@ class SvgDocument {
     const xmlNode* root_;
 };
 
-// Without its namespace.
+// The name of an element without its namespace.
 std::string_view name_of(const xmlNode& element);
-// Of no namespace; empty without it.
+// The value of an attribute without a namespace; empty when the element has none.
 std::string attribute(const xmlNode& element, const char* name);
-// What Inkscape calls it; empty without it.
+// The label that Inkscape gave the element; empty without one.
 std::string label_of(const xmlNode& element);
 
 }  // namespace cydonia

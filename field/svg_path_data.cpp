@@ -20,7 +20,7 @@ Point2 end_of(const SvgOutline& outline) {
     return outline.curves.empty() ? outline.start : outline.curves.back()[2];
 }
 
-// Follows one path's commands.
+// Follows the commands of one path.
 class PathReader {
   public:
     explicit PathReader(std::string_view data) : reader_(data) {}
@@ -57,8 +57,8 @@ class PathReader {
         if (!value) fail();
         return *value;
     }
-    // Of the pen; the next point, relative to it where the command is in small letters.
     Point2 here() const { return end_of(outlines_.back()); }
+    // The next point: relative to where the command began if that is a small letter.
     Point2 point() {
         const double x = number(), y = number();
         const bool relative = std::islower(command_) && !outlines_.empty();
@@ -70,7 +70,7 @@ class PathReader {
     void quadratic(const Point2& c, const Point2& to) {
         curve(1.0 / 3.0 * from_ + 2.0 / 3.0 * c, 1.0 / 3.0 * to + 2.0 / 3.0 * c, to);
     }
-    // The handle of the curve before, mirrored, where it was of the same kind.
+    // The mirrored last handle of the curve before, if that was of the same kind.
     Point2 mirrored(std::string_view kinds, const Point2& handle) const {
         const bool smooth = kinds.find(before_) != std::string_view::npos;
         return smooth ? 2.0 * from_ - handle : from_;
@@ -162,8 +162,8 @@ class PathReader {
 
 double angle_of(const Point2& v) { return std::atan2(v[1], v[0]); }
 
-// Middle of the ellipse, in coordinates where it is the unit circle, of the arc from a to
-// b there. Ellipses that are too small grow.
+// The centre of the ellipse through a and b, in coordinates in which it is the unit
+// circle. An ellipse that is too small is enlarged.
 Point2 middle_of(Point2& a, Point2& b, Point2& r, bool other_side) {
     const Point2 half = 0.5 * (b - a);
     const double grown = std::hypot(half[0], half[1]);

@@ -26,7 +26,8 @@ bool displayed(const xmlNode& element) {
 
 using Fill = std::optional<std::array<std::uint8_t, 3>>;
 
-// "#rrggbb", "#rgb", "rgb(r, g, b)" or a basic word; none of anything else.
+// The colour that "#rrggbb", "#rgb", "rgb(r, g, b)" or a basic name means; none for
+// anything else.
 Fill fill_of(std::string_view text) {
     for (const ColourWord& word : kColourWords)
         if (word.name == text) return word.value;
@@ -51,9 +52,10 @@ Fill fill_of(std::string_view text) {
     return std::array{std::uint8_t(rgb[0]), std::uint8_t(rgb[1]), std::uint8_t(rgb[2])};
 }
 
-// An element's own, which its style says before its attribute does.
+// The value of an element's own property; its style takes precedence over its attribute.
 Fill filled(const xmlNode& element, const Fill& around) {
-    std::string style = ";" + attribute(element, "style");
+    std::string style = attribute(element, "style");
+    style.insert(style.begin(), ';');
     std::erase(style, ' ');
     std::string text = attribute(element, "fill");
     if (const auto at = style.find(";fill:"); at != style.npos)
@@ -61,7 +63,7 @@ Fill filled(const xmlNode& element, const Fill& around) {
     return text.empty() || text == "inherit" ? around : fill_of(text);
 }
 
-// Walks the drawing and flattens what it comes to.
+// Walks through the drawing and flattens its paths and shapes.
 class Walk {
   public:
     Walk(std::array<double, 2> page, double tolerance)
@@ -114,7 +116,7 @@ std::vector<SvgOutline> Walk::ellipse(const xmlNode& element) const {
     return {ring({x(element, "cx"), y(element, "cy")}, circle ? Point2{r[0], r[0]} : r)};
 }
 
-// With square corners: as a constraint nobody misses the round ones.
+// Rounded corners are ignored: they do not matter for a constraint.
 std::vector<SvgOutline> Walk::rectangle(const xmlNode& element) const {
     const double west = x(element, "x"), north = y(element, "y");
     const double east = west + x(element, "width"), south = north + y(element, "height");
@@ -167,7 +169,7 @@ void Walk::add(const SvgOutline& outline, const Affine& to_page, const std::stri
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const Point2& p : points)
         if (!(std::abs(p[0]) < kFarthest && std::abs(p[1]) < kFarthest))
-            throw bad_request("a path lies a million pages away");
+            throw bad_request("a path lies more than a million pages away");
     count_ += points.size();
     if (points.size() > 1) paths_.push_back({id, names, std::move(points), fill, shape_});
 }
@@ -193,7 +195,7 @@ void Walk::enter(const xmlNode& element, Affine to_page, std::string id,
     }
     const std::string_view name = name_of(element);
     if (name != "svg" && name != "g" && name != "a") return;
-    // libxml2 refuses what is more than 256 deep.
+    // The recursion is bounded because libxml2 refuses elements more than 256 deep.
     for (const xmlNode* child = element.children; child; child = child->next)
         if (child->type == XML_ELEMENT_NODE) enter(*child, to_page, id, names, fill);
 }
@@ -207,7 +209,10 @@ bool SvgPath::is_called(const std::string& name) const {
 std::vector<SvgPath> svg_paths(const Source& source, double tolerance) {
     const std::string name = source.path.string();
     const std::array<double, 2> page = page_size(source);
-    if (!(page[0] > 0.0)) throw bad_request("{}: the drawing has no size", name);
+    if (!(page[0] > 0.0))
+        throw bad_request(
+            "{}: the drawing has no size; give its <svg> a width and height or a viewBox",
+            name);
     const SvgDocument document(source);
     const xmlNode& root = document.root();
 

@@ -17,7 +17,7 @@ Affine rotation(double angle) {
     return {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
 }
 
-// One function of a transform with its arguments.
+// The transform of one function with its arguments.
 std::optional<Affine> transform_of(std::string_view name, const std::vector<double>& v) {
     const std::size_t n = v.size();
     if (name == "matrix" && n == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
@@ -33,7 +33,7 @@ std::optional<Affine> transform_of(std::string_view name, const std::vector<doub
     return std::nullopt;
 }
 
-// Where `inside` begins in `whole`: xMid of "xMidYMin" is the middle.
+// The offset of a length `inside` within `whole`; "xMid" in `aspect` centres it.
 double aligned(std::string_view aspect, char axis, double whole, double inside) {
     const std::size_t at = aspect.find(axis);
     const std::string_view how =
@@ -58,7 +58,8 @@ bool NumberReader::done() {
 
 std::optional<double> NumberReader::number() {
     skip_blanks(true);
-    // from_chars takes no plus sign, but names that SVG does not know.
+    // from_chars() refuses a plus sign, but accepts names such as "inf" that SVG does not
+    // know.
     std::string_view text = rest_;
     if (text.starts_with('+')) text.remove_prefix(1);
     const std::size_t first = text.find_first_not_of("-");

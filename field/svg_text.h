@@ -37,13 +37,15 @@ struct Affine {
     Affine operator*(const Affine& inner) const;  // inner first
 };
 
-// A transform attribute: translate(3) rotate(45, 10, 10) ... None when it cannot be read.
+// The value of a transform attribute, such as translate(3) rotate(45, 10, 10); none when
+// it cannot be read.
 std::optional<Affine> transform_of(std::string_view text);
 
-// A length attribute in pixels of 1/96 inch; `whole` is what 100% is of.
+// The value of a length attribute in pixels of 1/96 inch; 100% is `whole`. None when it
+// cannot be read.
 std::optional<double> length_of(std::string_view text, double whole);
 
-// What fits a viewBox into a page (SVG 1.1, section 7.8).
+// The transform that fits a viewBox into a page (SVG 1.1, section 7.8).
 std::optional<Affine> viewbox_of(std::string_view box, std::string_view aspect,
                                  double width, double height);
 

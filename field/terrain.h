@@ -20,15 +20,15 @@ struct ShadowImage {
     Field<std::uint8_t> target;  // same shape as the heights; 1 in shadow, 0 lit
     Sun sun;
     double min_iou = 0.85;  // the check fails below
-    // Same shape, 1 where the target counts; empty: everywhere. Outside, the land keeps
-    // its own shadows.
+    // A mask of the same shape: 1 where the target counts, and empty when it counts
+    // everywhere. Outside, the land keeps its own shadows.
     Field<std::uint8_t> window = {};
-    // Same shape, 1 where this image gave way because others contradict it; empty:
-    // nowhere.
-    Field<std::uint8_t> given_up = {};
+    // A mask of the same shape: 1 where the target was relaxed because other images
+    // contradict it; empty when it was relaxed nowhere.
+    Field<std::uint8_t> relaxed = {};
 };
 
-// In Terrain::water: no water.
+// Stands in Terrain::water where there is no water.
 inline constexpr float kDry = -std::numeric_limits<float>::infinity();
 
 // Land: square cells, samples at cell centres, so that N samples span N cells.
@@ -37,11 +37,11 @@ struct Terrain {
     double spacing = 1.0;  // metres from a sample to the next; the size of a cell
     std::map<std::string, Field<float>> masks;  // 0 to 1, same shape as the heights
     std::vector<ShadowImage> shadows;
-    // Height of the water's surface, metres, kDry where there is none; empty without any.
-    // Where there is, `heights` is the bed.
+    // The height of the water's surface in metres, kDry where there is none; empty when
+    // the land has no water. Under water `heights` is the bed.
     Field<float> water;
-    // What stages measured of their own work, by what it is and its unit, for the
-    // manifest; and pictures of it (any size), written beside the masks.
+    // Figures that stages measured of their own work, for the manifest, each with its
+    // name and unit; and pictures of any size, which are written beside the masks.
     std::map<std::string, double> figures = {};
     std::map<std::string, Field<Rgb8>> pictures = {};
 
@@ -49,7 +49,7 @@ struct Terrain {
     double depth() const { return spacing * heights.height(); }  // south to north, metres
 };
 
-// Metres of water over a sample; 0 where the land is dry.
+// The depth of the water over a sample in metres; 0 where the land is dry.
 inline float water_depth(const Terrain& terrain, std::size_t sample) {
     if (terrain.water.empty()) return 0.0f;
     return std::max(0.0f, terrain.water[sample] - terrain.heights[sample]);

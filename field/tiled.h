@@ -10,16 +10,18 @@
 
 namespace cydonia {
 
-// Heights too many for memory, written part by part into one file.
+// A file of heights that are too many for memory and are written part by part.
 class TiledFile {
   public:
     static constexpr int kBlock = 256;  // samples a side of what the file is made of
 
     virtual ~TiledFile() = default;
-    // The part whose north-west sample is (x, y): multiples of kBlock, as its size is but
-    // where it ends at the file's edge. Each block once. Throws failure().
+    // Writes the part whose north-west sample is (x, y). These are multiples of kBlock,
+    // and so is the part's size, unless it ends at the file's edge. Each block is written
+    // once. Throws failure().
     virtual void write(int x, int y, const Field<float>& heights) = 0;
-    // After the last part. Throws failure(), also for what could not be written before.
+    // Must be called after the last part. Throws failure(), also for parts that could not
+    // be written before.
     virtual void close() = 0;
 };
 
@@ -28,21 +30,20 @@ struct TiledShape {
     double spacing = 1.0;       // metres
 };
 
-// The same formats as write_geotiff() and write_exr() of heights. To be called within
-// write_atomically().
+// The formats of write_geotiff() and write_exr(). Call these within write_atomically().
 std::unique_ptr<TiledFile> tiled_geotiff(const std::filesystem::path& path,
                                          const TiledShape& shape);
 std::unique_ptr<TiledFile> tiled_exr(const std::filesystem::path& path,
                                      const TiledShape& shape, const Metadata& metadata);
 
-// One part in a GeoTIFF of its own, where it lies on the whole; `key` says what it was
-// made from. Written to a temporary name and renamed.
+// Writes one part to a GeoTIFF of its own that says where it lies on the whole. `key`
+// identifies what it was made from. The file is written to a temporary name and renamed.
 void write_tile(const std::filesystem::path& path, const Field<float>& heights, int x,
                 int y, const TiledShape& whole, const std::string& key);
-// Nothing when the file is missing, of another key or size, or damaged.
+// Reads such a file; nothing when it is missing, damaged, or of another key or size.
 std::optional<Field<float>> read_tile(const std::filesystem::path& path, int width,
                                       int height, const std::string& key);
-// The same without its heights.
+// Whether read_tile() would find the tile, by its header.
 bool holds_tile(const std::filesystem::path& path, int width, int height,
                 const std::string& key);
 

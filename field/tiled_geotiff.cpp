@@ -18,7 +18,7 @@ Error unwritable(const std::string& name) {
     return failure("cannot write {}: {}", name, QuietGdal::message());
 }
 
-// Where the directory says that a block lies; nothing where it says none.
+// The offset of a block according to the directory; none when the directory has none.
 std::optional<std::uintmax_t> end_of_block(GDALRasterBand& band, int column, int row) {
     std::uintmax_t end = 0;
     for (const char* part : {"OFFSET", "SIZE"}) {
@@ -32,7 +32,7 @@ std::optional<std::uintmax_t> end_of_block(GDALRasterBand& band, int column, int
     return end;
 }
 
-// GDAL reports a full disk on some paths only: what it wrote is held against the file.
+// GDAL does not report every full disk, so that what it wrote is compared with the file.
 bool complete(const fs::path& path) {
     const Dataset file(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
     std::error_code none;
@@ -83,7 +83,7 @@ class TiledGeotiff final : public TiledFile {
     Dataset file_;
 };
 
-// The file, when it is the tile that is asked for.
+// Opens the file; null unless it is the tile that is asked for.
 Dataset tile_file(const fs::path& path, int width, int height, const std::string& key) {
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return nullptr;

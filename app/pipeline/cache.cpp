@@ -109,7 +109,7 @@ std::string packed(const Terrain& terrain) {
         out.value(image.sun);
         out.value(image.min_iou);
         out.field(image.window);
-        out.field(image.given_up);
+        out.field(image.relaxed);
     }
     out.field(terrain.water);
     out.value(static_cast<std::uint32_t>(terrain.figures.size()));
@@ -141,7 +141,7 @@ Terrain unpacked(std::string_view bytes) {
         image.sun = in.value<Sun>();
         image.min_iou = in.value<double>();
         image.window = in.field<std::uint8_t>();
-        image.given_up = in.field<std::uint8_t>();
+        image.relaxed = in.field<std::uint8_t>();
         terrain.shadows.push_back(std::move(image));
     }
     terrain.water = in.field<float>();

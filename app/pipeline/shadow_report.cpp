@@ -53,8 +53,8 @@ Json json_of(const render::ShadowFigures& figures) {
                  {"iou_soft", rounded(figures.iou_soft)},
                  {"outline_f", rounded(figures.outline)},
                  {"standing_out", rounded(figures.standing_out)},
-                 {"given_up", rounded(figures.given_up.share)},
-                 {"iou_bound", rounded(figures.given_up.bound)},
+                 {"given_up", rounded(figures.relaxed.share)},
+                 {"iou_bound", rounded(figures.relaxed.bound)},
                  {"other_suns", hidden(figures)},
                  {"land", json_of(figures.land)}};
     if (figures.thin_recall) json["thin_recall"] = rounded(*figures.thin_recall);
@@ -66,7 +66,7 @@ Json json_of(const render::ShadowReport& report) {
     Json json = {{"name", report.name},           {"sun", json_of(report.sun)},
                  {"iou", report.score.iou},       {"precision", report.score.precision},
                  {"recall", report.score.recall}, {"min_iou", report.min_iou},
-                 {"given_up", report.given_up},   {"rival", report.rival}};
+                 {"given_up", report.relaxed},    {"rival", report.rival}};
     if (report.standing_out) json["standing_out"] = *report.standing_out;
     return json;
 }
@@ -77,7 +77,7 @@ render::ShadowReport report_of(const Json& json) {
     report.sun = sun_of(json.at("sun"));
     report.score = {json.at("iou"), json.at("precision"), json.at("recall")};
     report.min_iou = json.at("min_iou");
-    report.given_up = json.at("given_up");
+    report.relaxed = json.at("given_up");
     report.rival = json.at("rival");
     if (json.contains("standing_out")) report.standing_out = json["standing_out"];
     return report;
@@ -102,9 +102,9 @@ std::string score_text(const render::ShadowReport& report) {
     std::string text = fmt::format(
         "{}: IoU {:.3f} (at least {:.2f}), precision {:.3f}, recall {:.3f}", report.name,
         shown, report.min_iou, report.score.precision, report.score.recall);
-    if (report.given_up > 0.0)
+    if (report.relaxed > 0.0)
         text +=
-            fmt::format("; {:.1f}% of its cells gave way to {}", 100.0 * report.given_up,
+            fmt::format("; {:.1f}% of its cells gave way to {}", 100.0 * report.relaxed,
                         report.rival.empty() ? "other images" : report.rival);
     return text;
 }

@@ -98,7 +98,7 @@ std::string sun_text(const Sun& sun) {
                        degrees(sun.elevation));
 }
 
-std::string place_text(const Place& place) {
+std::string place_text(const GeographicPosition& place) {
     const auto side = [](double angle, char positive, char negative) {
         return fmt::format("{:g} {}", std::abs(degrees(angle)),
                            angle < 0.0 ? negative : positive);

@@ -65,7 +65,7 @@ void read(Table& t, Options& o) {
     t.tables("target", more, kMostTargets, scale);
     o.targets.insert(o.targets.end(), more.begin(), more.end());
     t.check(!o.targets.empty(), {"targets", "target"},
-            "no real land to take details of; name elevation models, or "
+            "there is no real land to take details from; name elevation models, or "
             "\"package:jacksboro\" to begin with");
     t.check(o.targets.size() <= kMostTargets, {"targets", "target"},
             fmt::format("{} elevation models are too many; at most {}", o.targets.size(),
@@ -88,8 +88,9 @@ void read(Table& t, Options& o) {
         o.targets, [](const Target& target) { return target.colour.has_value(); });
     t.check(!o.paint || coloured, {"paint", "target"},
             "no target has a colour to paint with; give [[terrain.stage.target]] one");
-    t.check(!coloured || o.paint, {"target", "paint"},
-            "targets have colours, but there is no paint to have them");
+    t.check(
+        !coloured || o.paint, {"target", "paint"},
+        "targets have colours, but no paint uses them; add paint or remove the colours");
 }
 
 }  // namespace cydonia::config

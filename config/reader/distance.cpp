@@ -13,7 +13,7 @@ using distance::Group;
 using distance::Map;
 using distance::Options;
 using distance::Profile;
-using distance::Region;
+using distance::RegionOptions;
 using distance::Water;
 
 namespace {
@@ -40,7 +40,7 @@ void read(Table& t, Map& map, const Range& range) {
     t.required("range", map.range, Number{range});
 }
 
-void read(Table& t, Region& region, const Names& names) {
+void read(Table& t, RegionOptions& region, const Names& names) {
     const GroupName group{names.groups, ""};
     t.field("image", region.image, File{});
     t.field("inside", region.inside, group);
@@ -110,7 +110,7 @@ void read_profiles(Table& t, Options& o, Names& names) {
     t.only_if(names.random_weights, {"profile"}, "a stage without edge_weights");
 }
 
-// Every profile that is asked for by name, once, in the file's order.
+// The names of all profiles that are referred to, each once, in the file's order.
 std::vector<std::string> wanted_profiles(const Options& o) {
     std::vector<std::string> wanted;
     const auto want = [&](const std::string& name) {
@@ -121,12 +121,12 @@ std::vector<std::string> wanted_profiles(const Options& o) {
         std::ranges::for_each(group.profile, want);
         want(group.other_side);
     }
-    for (const Region& region : o.regions) want(region.profile);
+    for (const RegionOptions& region : o.regions) want(region.profile);
     for (const Water& water : o.water) want(water.bed);
     return wanted;
 }
 
-// Those that the stage has not itself, from the files that ship.
+// Adds the profiles that the stage does not have itself from the files that ship.
 void add_shipped_profiles(Table& t, Options& o) {
     for (const std::string& name : wanted_profiles(o)) {
         if (std::ranges::find(o.profiles, name, &Profile::name) != o.profiles.end())
@@ -155,7 +155,7 @@ void read(Table& t, Options& o) {
     t.field("combine", o.combine, one_of(kCombines));
     t.field("preview", o.preview, Flag{});
     t.check(!o.groups.empty(), {"group"},
-            "nothing to build from; give at least one [[terrain.stage.group]]");
+            "the stage has no features; add at least one [[terrain.stage.group]]");
 }
 
 }  // namespace cydonia::config

@@ -6,9 +6,10 @@
 
 namespace cydonia::config {
 
-// The parts of a distance stage. Names of groups are those before, in the file's order.
+// The parts of a distance stage. `names` are those of the groups before, in the file's
+// order.
 void read(Table& t, distance::Profile& profile);  // distance_costs.cpp
-// Below zero only as a term of a sum.
+// Whether a cost may be below zero, as only a term of a sum may be.
 enum class Sign { kNotNegative, kAny };
 void read(Table& t, distance::CostRule& cost, const Names& names,
           const Sign& sign);                                // distance_costs.cpp

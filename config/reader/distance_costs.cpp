@@ -1,4 +1,4 @@
-// The curves of a distance stage, and the rules for what a generator costs.
+// The curves of a distance stage, and the rules for the costs of generators.
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ void read_shipped_curve(Table& t, Curve& curve) {
     if (!like.empty()) curve.table = t.shipped("like.table", shipped_profile(like));
 }
 
-// Nothing between two points that follow each other breaks `rule(next, point)`.
+// Whether `rule(next, point)` holds for all pairs of consecutive points.
 template <class Rule>
 bool all_pairs(const std::vector<std::array<double, 2>>& points, Rule rule) {
     return std::ranges::adjacent_find(points, [&](const auto& a, const auto& b) {
@@ -65,7 +65,7 @@ bool all_pairs(const std::vector<std::array<double, 2>>& points, Rule rule) {
            }) == points.end();
 }
 
-// Where least and greatest are: as lengths, or as shares of a reference.
+// The least and greatest costs, as lengths or as shares of a reference.
 void read_bounds(Table& t, CostRule& cost, const Names& names, Sign sign) {
     const Range range = sign == Sign::kAny ? any() : at_least(0.0);
     t.field("range", cost.range, LengthUnit{range});

@@ -99,7 +99,7 @@ void read(Table& t, Ridges& ridges, const Names& names) {
 
 namespace {
 
-// The six ways to say where features are.
+// The six ways to state where features are; a group uses one of them.
 template <class Where, class... Context>
 void read_where(Table& t, std::string_view key, Group& group,
                 std::vector<std::string_view>& found, const Context&... names) {

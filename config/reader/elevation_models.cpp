@@ -27,7 +27,7 @@ Source packaged(const std::string& name) {
     }
 }
 
-// Runs a search for files; where it is in vain, the guide helps.
+// Runs a search for files, and adds the guide's name to its message when it finds none.
 template <class Search>
 auto guided(const Search& search) {
     try {

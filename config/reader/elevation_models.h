@@ -9,7 +9,8 @@ namespace cydonia::config {
 
 inline constexpr std::size_t kMostModels = 255;  // that a name may stand for
 
-// An elevation model: a file, or "package:NAME" for one that a Debian package brings.
+// The unit of an elevation model: a file, or "package:NAME" for one that a Debian package
+// contains.
 struct ElevationModel {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
@@ -17,7 +18,7 @@ struct ElevationModel {
     std::string schema() const { return File{}.schema(); }
 };
 
-// One or, as "dems/*.tif", several of them.
+// The unit of one elevation model or, as "dems/*.tif", of several.
 struct ElevationModels {
     static constexpr bool kVaries = false;
     std::vector<Source> read(const Value& value, Files& files) const;

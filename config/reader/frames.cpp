@@ -13,7 +13,7 @@ constexpr Name<FramesSpec::Pace> kPaces[] = {
     {"even", FramesSpec::Pace::kEven},
 };
 
-// A day as a TOML date, 2026-06-21, or the same as text.
+// The unit of a day: a TOML date such as 2026-06-21, or the same as text.
 struct Day {
     static constexpr bool kVaries = false;
     Date read(const Value& value, Files&) const;
@@ -34,13 +34,13 @@ Date Day::read(const Value& value, Files&) const {
         throw Wrong{fmt::format("expected a date such as 2026-06-21, found {}",
                                 described(value))};
     if (date->year < kFirstYear || date->year > kLastYear)
-        throw Wrong{fmt::format("the year {} is out of range; must be {} to {}",
+        throw Wrong{fmt::format("the year {} is out of range; it must be {} to {}",
                                 date->year, kFirstYear, kLastYear)};
     if (!exists(*date)) throw Wrong{fmt::format("there is no day {}", written)};
     return *date;
 }
 
-// One of the scene's cameras.
+// The unit of the name of one of the scene's cameras.
 struct CameraName {
     const std::vector<render::CameraOptions>& cameras;
     static constexpr bool kVaries = false;
@@ -55,7 +55,8 @@ std::string CameraName::read(const Value& value, Files& files) const {
     const std::string name = Word{}.read(value, files);
     std::vector<std::string> known;
     for (const auto& camera : cameras) known.push_back(camera.name);
-    if (cameras.empty()) known = {"overhead", "oblique"};  // what such a scene gets
+    if (cameras.empty())
+        known = {"overhead", "oblique"};  // the cameras that such a scene gets
     if (std::ranges::find(known, name) == known.end())
         throw Wrong{fmt::format("no camera '{}'{}", name, suggestion(name, known))};
     return name;
@@ -74,13 +75,13 @@ void read(Table& t, FramesSpec& frames,
     t.field("time_zone", frames.time_zone, Number{from(-12.0, 14.0)});
 
     t.check(!frames.place || frames.date, {"place"},
-            "a place needs a day: date = 2026-06-21");
+            "a place needs a date, such as date = 2026-06-21");
     t.only_if(t.has("place"), {"date", "time_zone"}, "a place");
 }
 
 }  // namespace
 
-void read(Table& t, Place& place) {
+void read(Table& t, GeographicPosition& place) {
     t.required("latitude", place.latitude, Degrees{from(-90.0, 90.0)});
     t.required("longitude", place.longitude, Degrees{from(-180.0, 180.0)});
 }

@@ -25,7 +25,7 @@ constexpr std::size_t kTextureTypes = 32;  // that texture can tell apart
 constexpr Name<Optimiser> kOptimisers[] = {{"texture", Optimiser::kTexture},
                                            {"evolution", Optimiser::kEvolution}};
 
-// What is wrong with a file that the scene names is said where it is named.
+// Reports mistakes in a file that the scene names where the scene names it.
 template <class Load>
 void load(Table& t, std::string_view key, const Load& load) {
     try {
@@ -62,7 +62,9 @@ void read_map(Table& t, Options& o) {
     if (!drawn.empty()) o.map.regions = std::move(drawn);
     t.field("window", o.map.window, Number{from(-1e9, 1e9)});
     t.check(o.map.window[0] < o.map.window[2] && o.map.window[1] < o.map.window[3],
-            {"window"}, "is west, south, east, north, in the map's units");
+            {"window"},
+            "must be west, south, east and north in the map's units, with west below "
+            "east and south below north");
     t.field("refine", o.map.refine, Flag{});
     t.field("smoothness", o.map.smoothness, kShare);
     t.field("envelope", o.map.envelope, Number{from(0.0, 1e7)});
@@ -111,11 +113,13 @@ void read(Table& t, Options& o) {
     t.field("ratio", o.ratio, Whole{2, 3});
     t.field("coarsest", o.coarsest, Number{above_to(0.0, 1e6)});
     t.field("optimiser", o.optimiser, one_of(kOptimisers));
-    t.check(o.optimiser != Optimiser::kTexture || o.library.types.size() <= kTextureTypes,
-            {"optimiser", "library"},
-            fmt::format("texture tells {} types apart, and the library has {}; set "
-                        "optimiser = \"evolution\"",
-                        kTextureTypes, o.library.types.size()));
+    t.check(
+        o.optimiser != Optimiser::kTexture || o.library.types.size() <= kTextureTypes,
+        {"optimiser", "library"},
+        fmt::format(
+            "the texture optimiser distinguishes {} types, and the library has {}; set "
+            "optimiser = \"evolution\"",
+            kTextureTypes, o.library.types.size()));
     t.table("evolution", o.evolution);
     TextureNames names;
     t.tables("point", o.points, kMostFeatures, names);

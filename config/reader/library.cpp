@@ -7,10 +7,10 @@
 #include <set>
 
 #include "config/reader/elevation_models.h"
-#include "config/reader/library_ttl.h"
 #include "config/reader/mistakes.h"
 #include "config/reader/parse.h"
 #include "config/reader/table.h"
+#include "config/reader/thesis.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -38,7 +38,8 @@ void read(Table& t, Example& example) {
     t.field("raise", example.raise, Number{from(-1e5, 1e5)});
     t.check(
         example.window[0] < example.window[2] && example.window[1] < example.window[3],
-        {"window"}, "is west, south, east and north, each a share: [0.0, 0.5, 0.5, 1.0]");
+        {"window"},
+        "must be west, south, east and north as shares, such as [0.0, 0.5, 0.5, 1.0]");
 }
 
 void read(Table& t, TypeOptions& type, const std::vector<TypeOptions>& all) {
@@ -46,7 +47,7 @@ void read(Table& t, TypeOptions& type, const std::vector<TypeOptions>& all) {
     t.field("colour", type.colour, Colour{});
     const Colour::Rgb black{};
     t.check(!t.has("colour") || type.colour != black, {"colour"},
-            "black is what lines are drawn in; choose another colour");
+            "black is the colour of lines; choose another colour");
     for (const TypeOptions& other : all)
         if (&other < &type && other.colour == type.colour && type.colour != black)
             t.check(false, {"colour"},
@@ -65,13 +66,13 @@ void read(Table& t, TypeOptions& type, const std::vector<TypeOptions>& all) {
 
 namespace {
 
-// Two different types, in any order.
+// Reads the names of two different types, in any order.
 void read_between(Table& t, std::string& a, std::string& b,
                   const std::vector<std::string>& names) {
     std::vector<std::string> between;
     t.required("between", between, Text{kLongestName});
     t.check(between.size() == 2 && between[0] != between[1], {"between"},
-            "names two types: [\"plain\", \"mountains\"]");
+            "must name two different types, such as [\"plain\", \"mountains\"]");
     for (const std::string& name : between)
         t.check(std::ranges::find(names, name) != names.end(), {"between"},
                 fmt::format("no type '{}'{}", name, suggestion(name, names)));
@@ -107,12 +108,12 @@ void read(Table& t, LibraryOptions& library) {
     t.check(!library.levels.empty() && library.levels.size() <= kMostLevels, {"levels"},
             fmt::format("needs 1 to {} levels", kMostLevels));
     t.check(std::ranges::is_sorted(library.levels, std::greater<>{}), {"levels"},
-            "are metres from sample to sample, coarse to fine");
+            "must be spacings in metres, from coarse to fine");
 }
 
 void colour_types(LibraryOptions& library) {
     using Rgb = std::array<std::uint8_t, 3>;
-    // Told apart by everybody (Okabe and Ito 2008).
+    // Colours that everybody can distinguish (Okabe and Ito 2008).
     constexpr std::array<Rgb, 8> kColours = {{{0x00, 0x72, 0xb2},
                                               {0xd5, 0x5e, 0x00},
                                               {0x00, 0x9e, 0x73},
@@ -141,7 +142,7 @@ void colour_types(LibraryOptions& library) {
 }
 
 LibraryOptions load_library(const std::filesystem::path& file) {
-    if (file.extension() == ".ttl") return load_ttl(file);
+    if (file.extension() == ".ttl") return load_thesis_library(file);
     const Origins origins{file.string(), {}};
     const Value root = parse(read_text(file, kMostBytes), origins.file);
     Files files(file.parent_path());

@@ -6,7 +6,7 @@
 
 namespace cydonia::config {
 
-// A terrain library, as TOML (or .ttl, library_ttl.h):
+// A terrain library, as TOML (or .ttl, thesis.h):
 //
 //     levels = [90.0]
 //     [[type]]
@@ -17,7 +17,7 @@ namespace cydonia::config {
 // Throws one bad_request that lists every mistake as file:line:column: message.
 genetic::LibraryOptions load_library(const std::filesystem::path& file);
 
-// Colours for types that have none.
+// Gives colours to the types that have none.
 void colour_types(genetic::LibraryOptions& library);
 
 }  // namespace cydonia::config

@@ -37,7 +37,7 @@ std::vector<std::string> shipped_names(std::string_view folder) {
     return names;
 }
 
-// Metres, or a share of the relief as "40 %".
+// The unit of metres or of a share of the relief, as "40 %".
 struct ElevationUnit {
     static constexpr bool kVaries = false;
     Elevation read(const Value& value, Files& files) const {
@@ -81,7 +81,7 @@ void read_ramp(Table& t, std::string_view key, std::optional<Ramp>& ramp,
     ramp = ramp_of(*pair);
 }
 
-// Two values that rise, the second being the one where nothing is left if it `falls`.
+// Reads two rising values. If the ramp `falls`, nothing is left at the second.
 void read_steepness(Table& t, std::string_view key, std::optional<Ramp>& ramp,
                     bool falls) {
     read_ramp(t, key, ramp, Degrees{from(0.0, 90.0)});
@@ -136,7 +136,7 @@ void read(Table& t, Layer& layer, std::vector<Source>& materials) {
 
 namespace {
 
-// A material that no layer has, only a shore.
+// Reads the material of a shore, which no layer has.
 void read_beside(Table& t, std::string_view key, std::optional<std::size_t>& out,
                  std::vector<Source>& materials) {
     std::optional<Source> material;
@@ -152,7 +152,7 @@ void read(Table& t, LookFile& out) {
     t.tables("layer", out.look.layers, kMostLayers, out.materials);
     t.check(t.has("layer") && !out.look.layers.empty() && !out.look.layers[0].limited(),
             {"layer"},
-            "the first [[layer]] lies everywhere: it must be there, without conditions");
+            "a look needs a first [[layer]] without conditions, which lies everywhere");
     read_beside(t, "shore", out.look.shore, out.materials);
     read_beside(t, "bed", out.look.bed, out.materials);
     t.only_if(out.look.shore.has_value(), {"bed"}, "a look with a shore");

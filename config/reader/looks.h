@@ -9,7 +9,8 @@
 
 namespace cydonia::config {
 
-// What a look file gives: what lies where, and how the light of a scene in it begins.
+// The contents of a look file: which materials lie where, and the defaults of a scene's
+// light.
 struct LookFile {
     render::Look look;
     render::SkyOptions sky;
@@ -19,8 +20,8 @@ struct LookFile {
     std::vector<Source> materials;  // every material's file, in the look's order
 };
 
-// A look that ships with the program (config/looks), or a file of the user's own,
-// "mine.toml".
+// The unit of a look: the name of one that ships with the program (config/looks), or a
+// file of the user, such as "mine.toml".
 struct LookName {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
@@ -30,7 +31,7 @@ struct LookName {
 
 void read(Table& t, render::Layer& layer, std::vector<Source>& materials);
 
-// Of a scene that names none.
+// The look of a scene that names none.
 Source default_look();
 
 // Reads a look and its materials. Throws bad_request with every mistake of the file as
@@ -39,10 +40,11 @@ LookFile read_look(const Source& source);
 // looks_materials.cpp
 render::Material read_material(const Source& source);
 
-// Reads a small file that is all one table. Throws bad_request as read_look does.
+// Reads a small file that consists of one table. Throws bad_request as read_look does.
 void read_data_file(const Source& source, const std::function<void(Table&)>& read);
 
-// A shipped file of the folder ("looks") by its name, or any other one as "mine.toml".
+// Finds a file that ships in `folder` ("looks") by its name, or any other file by its
+// path, such as "mine.toml".
 Source named_file(const Value& value, Files& files, std::string_view folder,
                   std::string_view what);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBeds = 32;
 
-// What the numbers of a file's colours stand for.
+// The colour space of a file's colours.
 enum class Space { kAcesCg, kRec709 };
 constexpr Name<Space> kSpaces[] = {
     {"acescg", Space::kAcesCg},
@@ -22,8 +22,7 @@ constexpr Name<Space> kSpaces[] = {
 
 constexpr Number kShare{from(0.0, 1.0)};
 
-// An albedo: snow sends back nine tenths, coal a fortieth; in between, shadows stay
-// shadows.
+// The range of an albedo: snow reflects nine tenths of the light, coal a fortieth.
 Rgb albedo(Rgb colour, Space space) {
     if (space == Space::kAcesCg) colour = rec709_from_acescg(colour);
     for (float& c : colour) c = std::clamp(c, 0.003f, 0.95f);
@@ -39,7 +38,7 @@ void read(Table& t, StrataTable& out) {
     Strata& s = out.strata;
     std::vector<Rgb> colours;
     t.field("colours", colours, kShare);
-    t.check(colours.size() <= kMostBeds, {"colours"}, "at most 32 of them");
+    t.check(colours.size() <= kMostBeds, {"colours"}, "at most 32 colours are possible");
     for (const Rgb& colour : colours) s.colours.push_back(albedo(colour, out.space));
     t.field("thickness", s.thickness, Number{from(0.5, 1e4)});
     t.field("strength", s.strength, kShare);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "config/reader/map_formats.h"
 #include "config/reader/mistakes.h"
 #include "config/reader/parse.h"
 #include "config/reader/readers.h"
+#include "config/reader/thesis.h"
 #include "field/error.h"
 #include "field/files.h"
 
@@ -23,7 +25,7 @@ namespace {
 
 constexpr std::array<double, 4> kUnset{0.0, 0.0, 0.0, 0.0};
 
-// What all outlines cover.
+// The bounding box of all outlines.
 std::array<double, 4> bounds_of(const MapOptions& map) {
     std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
     for (const Region& region : map.regions)
@@ -39,11 +41,18 @@ std::string spaced(std::string name) {
     return name;
 }
 
-// As the library has them.
+// Replaces the names of types by the library's spelling.
 void name_types(MapOptions& map, const LibraryOptions& library) {
     for (Region& region : map.regions)
         for (const auto& type : library.types)
             if (spaced(type.name) == spaced(region.type)) region.type = type.name;
+}
+
+std::optional<VectorFormat> vector_format(std::string_view extension) {
+    if (extension == ".geojson" || extension == ".json") return VectorFormat::kGeoJson;
+    if (extension == ".shp") return VectorFormat::kShapefile;
+    if (extension == ".gpkg") return VectorFormat::kGeoPackage;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -82,20 +91,25 @@ MapOptions load_map(const std::filesystem::path& file, const LibraryOptions& lib
     map.window = kUnset;
     if (extension == ".toml")
         map = map_from_toml(file);
-    else if (extension == ".geojson" || extension == ".json")
-        map = map_from_geojson(file);
+    else if (const auto format = vector_format(extension))
+        map = map_from_ogr(file, *format);
     else if (extension == ".svg")
         map = map_from_svg(file, library);
     else if (extension == ".map")
-        map = map_from_obj(file);
+        map = map_from_thesis(file);
     else
-        throw bad_request("{}: a map is a .toml, .geojson, .svg or .map file",
-                          file.string());
-    if (map.regions.empty()) throw bad_request("{}: it has no regions", file.string());
+        throw bad_request(
+            "{}: a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file",
+            file.string());
+    if (map.regions.empty())
+        throw bad_request(
+            "{}: it has no regions; give at least one outline with a terrain type",
+            file.string());
     if (map.window == kUnset) map.window = bounds_of(map);
     if (!(map.window[0] < map.window[2] && map.window[1] < map.window[3]))
-        throw bad_request("{}: its window is west, south, east, north, and encloses land",
-                          file.string());
+        throw bad_request(
+            "{}: its window must be west, south, east and north, and enclose land",
+            file.string());
     name_types(map, library);
     return map;
 }

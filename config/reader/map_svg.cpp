@@ -1,4 +1,4 @@
-// Shapes of a drawing, each of the type that it is called as or has the colour of.
+// The shapes of a drawing. Each is of the type whose name or colour it has.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double kTolerance = 0.0005;  // of the page
 constexpr int kNear = 48;              // a channel, as paintings allow
 
-int unlikeness(const Colour::Rgb& a, const Colour::Rgb& b) {
+int dissimilarity(const Colour::Rgb& a, const Colour::Rgb& b) {
     int most = 0;
     for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
@@ -27,7 +27,7 @@ std::string spaced(std::string name) {
     return name;
 }
 
-// Empty where no type is meant.
+// The type of a path; empty when it has none.
 std::string type_of(const SvgPath& path, const genetic::LibraryOptions& library) {
     for (const std::string& name : path.names)
         for (const auto& type : library.types)
@@ -35,8 +35,9 @@ std::string type_of(const SvgPath& path, const genetic::LibraryOptions& library)
     if (!path.fill) return {};
     const auto nearest = std::ranges::min_element(
         library.types, {},
-        [&](const auto& type) { return unlikeness(type.colour, *path.fill); });
-    if (nearest == library.types.end() || unlikeness(nearest->colour, *path.fill) > kNear)
+        [&](const auto& type) { return dissimilarity(type.colour, *path.fill); });
+    if (nearest == library.types.end() ||
+        dissimilarity(nearest->colour, *path.fill) > kNear)
         return {};
     return nearest->name;
 }
@@ -49,7 +50,7 @@ genetic::MapOptions map_from_svg(const std::filesystem::path& file,
     map.window = {0.0, 0.0, 1.0, 1.0};
     std::size_t corners = 0, shape = 0;  // of the last region
     for (const SvgPath& path : svg_paths(open_source(file), kTolerance)) {
-        // What is filled is closed, drawn so or not.
+        // A filled shape is closed, whether it is drawn closed or not.
         const bool closed = path.points.front() == path.points.back();
         const std::size_t count = path.points.size() - (closed ? 1 : 0);
         if (count < 3 || (!closed && !path.fill)) continue;  // a line, a label's stroke
@@ -58,8 +59,8 @@ genetic::MapOptions map_from_svg(const std::filesystem::path& file,
             if (!path.fill) continue;
             const auto& c = *path.fill;
             throw bad_request(
-                "{}: {}the colour #{:02x}{:02x}{:02x} is no type's; give the type that "
-                "colour in the library, or call the shape as its type",
+                "{}: {}the colour #{:02x}{:02x}{:02x} is no type's; give a type that "
+                "colour in the library, or name the shape after its type",
                 file.string(), path.id.empty() ? "" : path.id + ": ", c[0], c[1], c[2]);
         }
         corners += count;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostEntries = 65536;  // of a folder that is looked through
 
-// Only * and ? stand for others: [ and \ are letters of names.
+// Only * and ? are special: [ and \ are ordinary letters of names.
 std::string escaped(const std::string& pattern) {
     std::string text;
     for (const char c : pattern) {

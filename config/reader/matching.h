@@ -9,14 +9,15 @@
 
 namespace cydonia::config {
 
-// "~/dems/a.tif" below the user's home folder, as in a shell; other names as they are.
+// Replaces "~" in "~/dems/a.tif" by the user's home folder, as a shell does, and leaves
+// other names unchanged.
 std::string at_home(const std::string& name);
 
-// Whether a name stands for several: * for any letters, ? for one.
+// Whether a name is a pattern: * stands for any letters, ? for one.
 bool is_pattern(std::string_view name);
 
-// The files that a pattern such as "dems/*.tif" stands for, seen from `folder`, sorted;
-// at least one and at most `most`. Throws Wrong.
+// The files that match a pattern such as "dems/*.tif" relative to `folder`, sorted.
+// Throws Wrong when there are none or more than `most`.
 std::vector<std::string> matching(const std::filesystem::path& folder,
                                   const std::string& pattern, std::size_t most);
 

@@ -21,8 +21,8 @@ std::string line_of(const Mistake& mistake, const Origins& origins) {
                        mistake.path.empty() ? "" : ": ", mistake.message);
 }
 
-// Letters to change, insert, remove or swap with their neighbour (optimal string
-// alignment; Damerau 1964).
+// The number of letters to change, insert, remove or swap with their neighbour (optimal
+// string alignment; Damerau 1964).
 std::size_t edits(std::string_view a, std::string_view b) {
     const std::size_t rows = a.size() + 1, columns = b.size() + 1;
     std::vector<std::size_t> cost(rows * columns);

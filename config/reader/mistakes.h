@@ -9,7 +9,8 @@
 
 namespace cydonia::config {
 
-// What is wrong with one value; thrown by units, caught where the value's place is known.
+// What is wrong with one value. Units throw it, and Table, which knows where the value
+// stands, catches it.
 struct Wrong {
     std::string message;
 };
@@ -20,17 +21,19 @@ struct Mistake {
     std::string message;
 };
 
-// Where mistakes come from, by origin: the scene file as the user wrote it, then every
+// What mistakes can originate from: the scene file as the user named it, then every
 // --set.
 struct Origins {
     std::string file;
     std::vector<std::string> overrides;
 };
 
-// One line each, the file's first, in the order in which they stand there; the first 50.
+// The mistakes as lines in the order in which they stand, those of the file first; at
+// most 50.
 std::string listed(std::vector<Mistake> mistakes, const Origins& origins);
 
-// "; did you mean 'azimuth'?" where one of the names is near, else "; known: a, b".
+// The end of a message about an unknown name: "; did you mean 'azimuth'?" when a known
+// name is similar, otherwise "; known: a, b".
 std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace cydonia::config

@@ -7,14 +7,16 @@
 
 namespace cydonia::config {
 
-// What the groups of a distance stage may refer to, as far as it was read.
+// The names that the groups of a distance stage may refer to, as far as the stage was
+// read.
 struct Names {
     std::vector<std::string> groups;
     std::vector<std::string> profiles;  // of the stage; others ship with the program
     bool random_weights = true;         // without them profiles do not apply
 };
 
-// A group so far: "no group 'rimm' before this one; did you mean 'rim'?"
+// The unit of the name of a group before this one. Its message is "no group 'rimm' before
+// this one; did you mean 'rim'?"
 struct GroupName {
     const std::vector<std::string>& known;
     std::string_view where;       // " before this one"
@@ -25,7 +27,7 @@ struct GroupName {
     std::string schema() const { return Word{}.schema(); }
 };
 
-// A profile of the stage or one that ships.
+// The unit of the name of a profile of the stage or of one that ships with the program.
 struct ProfileName {
     const std::vector<std::string>& own;
     static constexpr bool kVaries = false;
@@ -34,7 +36,7 @@ struct ProfileName {
     std::string schema() const { return Word{}.schema(); }
 };
 
-// config/profiles/NAME.csv. Throws failure().
+// The path of config/profiles/NAME.csv. Throws failure() when it is missing.
 std::filesystem::path shipped_profile(const std::string& name);
 
 }  // namespace cydonia::config

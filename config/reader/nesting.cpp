@@ -7,8 +7,8 @@ namespace {
 
 constexpr int kDeepest = 32;
 
-// The end of the string that opens at `begin`: past its closing quotes, or where the line
-// or the text leaves it open (there the parser stops).
+// The end of the string that begins at `begin`: after its closing quotes, or at the end
+// of the line or text if it is not closed, where the parser stops.
 std::size_t string_end(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     const std::string triple(3, quote);

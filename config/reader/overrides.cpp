@@ -50,12 +50,12 @@ Value value_of(const std::string& text, int origin) {
         auto& entries = std::get<Value::Table>(document.data);
         if (entries.size() == 1) return std::move(entries.front().value);
     } catch (const Error&) {
-        // Not TOML: a bare word.
+        // The value is no TOML, but a word without quotes.
     }
     return {{origin, 1, 1}, text};
 }
 
-// The value under `step`; a table gets it when it has none. Throws Wrong.
+// The value under `step`, which is added to a table that has none. Throws Wrong.
 Value& child(Value& parent, const std::string& step, int origin) {
     const Position here{origin, 1, 1};
     if (auto* table = std::get_if<Value::Table>(&parent.data)) {

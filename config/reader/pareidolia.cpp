@@ -34,7 +34,7 @@ constexpr int kMostFeatures = 1000000;
 constexpr std::size_t kLongestLine = 256;
 constexpr Range kPriorities = from(0.0, 10.0);
 
-// The sun of an image: what it leaves open the method chooses.
+// Reads the sun of an image. The method chooses the angles that are left out.
 struct ImageSun {
     std::optional<double>& azimuth;
     std::optional<double>& elevation;
@@ -114,7 +114,7 @@ void read(Table& t, Options& o) {
                         "solver = \"constrained\" shows up to {}",
                         images, pareidolia::kMostImages));
     t.check(!known || o.solver != Solver::kConstrained || images >= 1, {"image"},
-            "nothing to show; give at least one [[terrain.stage.image]]");
+            "there is no image to show; add at least one [[terrain.stage.image]]");
     t.check(o.solver != Solver::kConstrained || images <= pareidolia::kMostImages,
             {"image"},
             fmt::format("at most {} images share one land, found {}",

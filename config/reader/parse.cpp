@@ -5,14 +5,15 @@
 #include "config/reader/nesting.h"
 #include "field/error.h"
 
-// The only file that sees toml++: it costs seconds to compile.
+// The only file that includes toml++, which takes seconds to compile.
 #include <toml++/toml.h>
 
 namespace cydonia::config {
 namespace {
 
 Position position(const toml::source_position& at, int origin) {
-    // A table that only its children made ([terrain] from [[terrain.stage]]) has none.
+    // A table that exists only by its children ([terrain] by [[terrain.stage]]) has no
+    // position.
     return {origin, at.line ? static_cast<int>(at.line) : 1,
             at.column ? static_cast<int>(at.column) : 1};
 }

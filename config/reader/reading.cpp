@@ -12,7 +12,7 @@ constexpr std::size_t kMostKeys = 4096;
 
 double frame_of(const TrackKey& key) { return key.frame; }
 
-// One [frame, value], which must come after the keys before it.
+// Reads one [frame, value], whose frame must be greater than those before.
 std::optional<TrackKey> track_key(Reading& reading, const Value& value,
                                   const std::string& path,
                                   const std::vector<TrackKey>& before) {
@@ -29,7 +29,7 @@ std::optional<TrackKey> track_key(Reading& reading, const Value& value,
     return std::nullopt;
 }
 
-// Of a track known to be right, the one or two keys that matter at a frame.
+// The one or two keys of a checked track that matter at a frame.
 std::vector<TrackKey> keys_around(const Value& track, double frame) {
     const auto& array = std::get<Value::Array>(track.find("keys")->data);
     const auto key_of = [](const Value& value) {

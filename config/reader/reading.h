@@ -22,12 +22,14 @@ struct Reading {
     bool checked = false;  // the document was read before, without a mistake
     std::vector<Mistake> mistakes = {};
     std::set<double> key_frames = {};  // every frame that some value has a key at
-    // Nothing is read: keys leave their schemas, and what is said of values is no matter.
+    // When true nothing is read: the readers' calls describe the keys instead, and the
+    // values do not matter.
     bool describes = false;
     std::vector<std::type_index> open_tables = {};  // that are being described
 };
 
-// Canonical text and files of a part of the document: what a cache key is made of.
+// The canonical text and the files of a part of the document, from which a cache key is
+// made.
 struct Record {
     std::vector<std::string> lines;
     std::vector<Source> sources;
@@ -35,36 +37,37 @@ struct Record {
     void append(const std::string& prefix, const Record& part);
 };
 
-// A value as { keys = [[frame, value], ...] }: linear between, constant outside.
+// A value given as { keys = [[frame, value], ...] }. It is linear between keys and
+// constant outside.
 struct TrackKey {
     double frame;
     const Value* value;
 };
-// In order of frames, at least one; empty after a mistake, which is recorded. All of
-// them in a first reading, those next to the frame in a checked document.
+// The keys in the order of their frames: all of them in a first reading, those next to
+// the frame in a checked document. Empty after a mistake, which is recorded.
 std::vector<TrackKey> track_keys(Reading& reading, const Value& track,
                                  const std::string& path);
-// `frame` stands between key `index` and the next, at `weight` (0 to 1) of the way.
+// `frame` lies between key `index` and the next one, at `weight` (0 to 1) of the way.
 struct TrackPoint {
     std::size_t index;
     double weight;
 };
 TrackPoint track_point(const std::vector<TrackKey>& keys, double frame);
 
-// Whether a unit gives the whole of a T, as a colour is one value though it has three
+// Whether a unit reads a whole T, as it does for a colour, which is one value with three
 // numbers.
 template <class Unit, class T>
 concept Gives = requires(const Unit& unit, const Value& value, Files& files) {
     { unit.read(value, files) } -> std::same_as<T>;
 };
 
-// One value where it stands alone, or an array of them.
+// Reads a single value or an array of them.
 template <class Unit>
 struct OneOrMore {
     Unit unit;
 };
 
-// The elements of an array of `least` to `most`; null after a mistake.
+// The elements of an array of `least` to `most` values; null after a mistake.
 const Value::Array* elements(Reading& reading, const Value& value,
                              const std::string& path, std::size_t least,
                              std::size_t most);
@@ -80,8 +83,8 @@ inline std::string element(const std::string& path, std::size_t i) {
     return path + '[' + std::to_string(i) + ']';
 }
 
-// read_value: `out` from `value`, or false and the mistakes recorded. A single value, one
-// over time, or an array of them.
+// read_value() reads `out` from `value`: a single value, one over time, or an array of
+// them. It returns false after mistakes, which are recorded.
 template <class T, class Unit>
 bool read_constant(Reading& reading, const Value& value, const std::string& path, T& out,
                    const Unit& unit) {
@@ -154,7 +157,7 @@ bool read_value(Reading& reading, const Value& value, const std::string& path,
     return read_value(reading, value, path, out[0], unit.unit);
 }
 
-// schema_of: what read_value takes of a T.
+// schema_of() describes what read_value() accepts for a T.
 template <class T, class Unit>
 std::string schema_of(const Unit& unit) {
     if constexpr (requires { unit.schema(); }) {
@@ -171,7 +174,7 @@ std::string schema_of(const Unit& unit) {
     }
 }
 
-// note: a value's line of canonical text, and the file behind it.
+// note() records a value's line of canonical text, and its file if it has one.
 template <class T, class Unit>
 void note(Record& record, const std::string& path, const T& value, const Unit& unit) {
     record.lines.push_back(path + " = " + unit.text(value));

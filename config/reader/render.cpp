@@ -33,12 +33,13 @@ constexpr Name<render::Clouds> kClouds[] = {
     {"overcast", render::Clouds::kOvercast},
 };
 
-// Added before the view where it is night: a frame's own exposure would make it day.
+// Added before the view transform at night, because a frame's own exposure would make it
+// look like day.
 constexpr double kNightExposure = -1.8;  // EV
-// Under a white sky it would leave the land in the dark.
+// Added under an overcast sky, whose white would leave the land dark.
 constexpr double kOvercastExposure = 0.7;
 
-// A sun that lights, down to the end of civil twilight.
+// A sun for lighting, which may be as low as at the end of civil twilight.
 struct Lighting {};
 void read(Table& t, Sun& sun, Lighting) {
     t.required("azimuth", sun.azimuth, kAzimuth);
@@ -49,7 +50,8 @@ bool is_snow(const render::Layer& layer) {
     return layer.role == render::Layer::Role::kSnow;
 }
 
-// What lies where, and where the light begins: tables of the scene go before it.
+// Sets the materials and the defaults of the light from a look. The scene's own tables
+// are read after it and override it.
 void choose_look(Table& t, render::Options& o) {
     Source file = default_look();
     t.field("look", file, LookName{});

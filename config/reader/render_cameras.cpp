@@ -9,7 +9,7 @@ using render::CameraOptions;
 
 namespace {
 
-// Keys are moments themselves: what they hold is the same in every frame.
+// The values of camera keys cannot vary in time, because the keys themselves are moments.
 template <class Unit>
 struct Fixed : Unit {
     static constexpr bool kVaries = false;
@@ -47,7 +47,7 @@ void read_shutter(Table& t, CameraOptions& camera) {
     t.field("shutter_samples", camera.shutter_samples, Whole{1, 256});
 }
 
-// Where the camera is.
+// Reads the position of the camera.
 void read_place(Table& t, CameraOptions& camera) {
     using Kind = CameraOptions::Kind;
     t.field("azimuth", camera.azimuth, kAzimuth);
@@ -86,7 +86,7 @@ void read_place(Table& t, CameraOptions& camera) {
             "it looks at its target or along heading and pitch; leave one out");
 }
 
-// In order of frames, so that no key stands where another is meant.
+// Checks that the keys are in the order of their frames.
 void check_order(Table& t, const CameraOptions& camera) {
     const auto& keys = camera.keys;
     t.check(camera.kind != CameraOptions::Kind::kPath || keys.size() >= 2,

@@ -17,8 +17,9 @@ void read(Table& t, ThingOptions& thing) {
     t.field("in_image", thing.in_image, Flag{});
     t.check(!thing.size || (*thing.size)[0] <= (*thing.size)[1], {"size"},
             "the least size is greater than the most: write them as [least, most]");
-    t.check(!thing.slope || (*thing.slope)[0] < (*thing.slope)[1], {"slope"},
-            "where fewer stand must be less steep than where none does");
+    t.check(
+        !thing.slope || (*thing.slope)[0] < (*thing.slope)[1], {"slope"},
+        "the slope where things become fewer must be below the slope where none stands");
 }
 
 }  // namespace cydonia::config

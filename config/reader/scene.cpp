@@ -104,8 +104,8 @@ Scene Scene::load(const fs::path& file, const std::vector<std::string>& override
     std::ranges::move(reading.mistakes, std::back_inserter(mistakes));
     throw_mistakes(std::move(mistakes), origins);
 
-    // Values are linear between keys, and so are the differences that checks between
-    // values look at: what holds at every key holds at every frame.
+    // Values are linear between keys, and so are the differences that checks compare. A
+    // check that holds at every key therefore holds at every frame.
     if (reading.key_frames.size() > kMostKeyFrames)
         throw bad_request("{}: keys at {} frames are too many; at most {}", origins.file,
                           reading.key_frames.size(), kMostKeyFrames);

@@ -37,15 +37,16 @@ struct FramesSpec {
     std::optional<int> count;  // none: as many as the keys need, else 48
     double rate = 24.0;        // frames a second
     Pace pace = Pace::kLingering;
-    double hold = 1.0;                // seconds that the video stands still on the image
-    std::string camera;               // empty: the first that suits the sequence
-    std::optional<Place> place;       // none: an arc through the first image's sun
+    double hold = 1.0;   // seconds that the video stands still on the image
+    std::string camera;  // empty: the first that suits the sequence
+    std::optional<GeographicPosition>
+        place;                        // none: an arc through the first image's sun
     std::optional<Date> date;         // with a place
     std::optional<double> time_zone;  // hours ahead of UTC; none: by the longitude
 };
 inline constexpr int kMostFrames = 9999;
 
-// A scene file, typed and checked.
+// A scene file as checked, typed values.
 struct SceneSpec {
     std::string name;  // of the scene's folder or file: names the output folder
     std::string title;
@@ -64,8 +65,8 @@ struct SceneSpec {
     }
 };
 
-// What a scene file may hold, as JSON Schema (draft 7) for editors: every key that the
-// readers name, with its kind and range. What holds between keys is left to them.
+// What a scene file may contain, as JSON Schema (draft 7) for editors: every key that the
+// readers name, with its type and range. Conditions between keys are not in it.
 std::string scene_schema();
 
 // A parsed scene file whose numbers may vary in time.
@@ -78,7 +79,7 @@ class Scene {
     ~Scene();
     Scene(Scene&&) noexcept;
 
-    // The scene at a frame: values with keys interpolated, everything checked.
+    // The scene at a frame, with values interpolated between keys and everything checked.
     SceneSpec at(double frame) const;
 
     bool varies() const;      // whether any value has keys

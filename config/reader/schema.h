@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// A scene file's JSON Schema (draft 7, which editors of TOML read) is made by the readers
-// themselves: while a Reading describes, every key that they name leaves its schema.
+// The readers themselves make a scene file's JSON Schema (draft 7, which editors of TOML
+// read): while Reading::describes is true, every key that they name records its schema.
 // Fragments are JSON as text.
 namespace cydonia::config {
 
@@ -19,16 +19,16 @@ namespace schema {
 std::string json_text(std::string_view text);
 std::string number(const Range& range, std::string_view description = {});
 std::string whole(std::int64_t low, std::int64_t high);
-// Matches a pattern of ECMA 262 when one is given.
+// The schema of a text; `pattern` is one of ECMA 262, or empty.
 std::string text(std::size_t longest, std::string_view pattern = {},
                  std::string_view description = {});
 std::string words(const std::vector<std::string>& words);
 std::string any_of(const std::vector<std::string>& schemas);
 std::string array(const std::string& element, std::size_t least, std::size_t most);
-// What `value` describes, or { keys = [[frame, value], ...] }.
+// The schema of a value that `value` describes, or of { keys = [[frame, value], ...] }.
 std::string varying(const std::string& value);
 
-// A table of keys and their schemas; `required` among them. No others are allowed.
+// The schema of a table with these keys and no others.
 struct Key {
     std::string name, schema;
     bool required = false;

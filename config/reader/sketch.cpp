@@ -92,7 +92,7 @@ void read(Table& t, Feature& feature, std::vector<std::string>& names) {
         feature.holds, [](const Hold& hold) { return hold.height.has_value(); });
     t.check(t.has("height") || held || feature.silhouette || feature.view,
             {"height", "silhouette", "view"},
-            "needs a height, of its own, in its holds, by a silhouette or by a view");
+            "needs a height: give height, holds with heights, a silhouette or a view");
 }
 
 void read(Table& t, Region& region, std::vector<std::string>& names) {
@@ -107,7 +107,7 @@ void read(Table& t, Options& o) {
     t.tables("landform", o.features, kMostLandforms, names);
     t.tables("region", o.regions, kMostRegions, names);
     t.check(!o.features.empty() || !o.regions.empty(), {"landform", "region"},
-            "nothing is sketched; add [[terrain.stage.landform]]");
+            "there is nothing to sketch; add a [[terrain.stage.landform]]");
     t.field("levels", o.levels, Whole{1, 10});
     t.field("noise", o.noise, one_of(kNoises));
     t.field("noise_from", o.noise_from, ElevationModel{});

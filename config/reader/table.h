@@ -15,63 +15,64 @@
 namespace cydonia::config {
 
 // A table of a scene file while it is read into a struct. Every call names a key, notes
-// it as known, replaces the default by the file's value and writes canonical text; what
-// is wrong is recorded and reading goes on. A struct is read by one function,
-// `void read(Table&, Struct&)`, that lists its fields.
+// it as known, replaces the default by the file's value and writes canonical text.
+// Mistakes are recorded and reading continues. One function for each struct, `void
+// read(Table&, Struct&)`, lists its fields.
 class Table {
   public:
-    // `value` null: the table is absent and everything keeps its default.
+    // When `value` is null the table is absent, and everything keeps its default.
     Table(Reading& reading, const Value* value, Position at, std::string path = {});
 
-    // A value, or an std::array or std::vector of them.
+    // Reads a value, or an std::array or std::vector of values.
     template <class T, class Unit>
     void field(std::string_view key, T& out, const Unit& unit);
-    // `none` is a word that stands for no number: "auto".
+    // `none` is a word that stands for no value, such as "auto".
     template <class T, class Unit>
     void field(std::string_view key, std::optional<T>& out, const Unit& unit,
                std::string_view none = {});
-    // A key that must be there; whether it is, and could be read.
+    // Reads a key that must be there. Returns whether it is there and could be read.
     template <class T, class Unit>
     bool required(std::string_view key, T& out, const Unit& unit);
 
-    // A table within, read by read(Table&, T&, context...); an optional one only when it
-    // is there.
+    // Reads a table within this one by read(Table&, T&, context...), and an optional
+    // table only when it is there.
     template <class T, class... Context>
     void table(std::string_view key, T& out, Context&&... context);
     template <class T, class... Context>
     void table(std::string_view key, std::optional<T>& out, Context&&... context);
-    // [[key]]: at most `most` of them.
+    // Reads at most `most` tables [[key]].
     template <class T, class... Context>
     void tables(std::string_view key, std::vector<T>& out, std::size_t most,
                 Context&&... context);
 
-    // A file that the scene does not name itself, noted as if it did under `key`.
+    // Notes a file that the scene does not name itself as if it stood under `key`.
     std::optional<Source> shipped(const std::string& key,
                                   const std::filesystem::path& file);
 
-    // What must hold between values; said at the first of `keys` that the file has. Not
-    // looked at when one of them could not be read.
+    // Records `message` at the first of `keys` that the file has, unless `holds`. Ignored
+    // when one of the keys could not be read.
     void check(bool holds, std::initializer_list<std::string_view> keys,
                const std::string& message);
 
-    // Keys that have no effect unless `use` are mistakes: "only for kind = ...".
+    // Unless `use`, these keys have no effect and are mistakes: "only for kind = ...".
     void only_if(bool use, std::initializer_list<std::string_view> keys,
                  std::string_view condition);
-    // In [[tables_key]], no two may have the same text under `key`.
+    // Two tables [[tables_key]] with the same text under `key` are a mistake.
     void unique(std::string_view tables_key, std::string_view key);
 
     bool has(std::string_view key) const { return value_ && value_->find(key); }
-    // Canonical text and files of what was read so far, with paths from this table.
+    // The canonical text and the files of what was read so far, with paths relative to
+    // this table.
     const Record& record() const { return record_; }
     // Records the keys that no call has named.
     void report_unknown() const;
     void ignore_unknown() { ignore_unknown_ = true; }
 
-    // What the readers' calls say of this table, as JSON Schema, of a Reading that
-    // describes.
+    // The JSON Schema of this table from the readers' calls, while Reading::describes is
+    // true.
     bool describes() const { return reading_.describes; }
     std::string schema() const;
-    // Under `key` one of several names, each with keys of its own: what `read` reads.
+    // Describes a table whose `key` is `name`, with the further keys that `read` reads.
     void variant(std::string_view key, std::string_view name,
                  const std::function<void(Table&)>& read);
 
@@ -159,7 +160,7 @@ void Table::read_child(const Value* value, Position at, const std::string& name,
     record_.append(name, child.record_);
 }
 
-// Tables that hold their own kind are described three deep.
+// Tables that contain tables of their own kind are described three levels deep.
 template <class T, class... Context>
 std::string Table::described_child(Context&&... context) {
     constexpr int kDeepest = 3;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include "config/reader/readers.h"
@@ -9,30 +10,44 @@
 namespace cydonia::config {
 namespace {
 
+using StageReader = StageOptions (*)(Table&);
+
+template <class Options>
+concept HasReader = requires(Table& t, Options& o) {
+    read(t, o);
+};
+
 template <class Options>
 StageOptions stage_of(Table& t) {
+    static_assert(
+        HasReader<Options>,
+        "This method has no reader: declare void read(Table&, METHOD::Options&) "
+        "in config/reader/readers.h, and define it in a file beside it.");
     Options options;
-    read(t, options);
+    if constexpr (HasReader<Options>) read(t, options);
     return options;
 }
 
-// Every method by its name, and what reads it.
-constexpr Name<StageOptions (*)(Table&)> kMethods[] = {
-    {"dem", stage_of<dem::Options>},
-    {"detail", stage_of<detail::Options>},
-    {"distance", stage_of<distance::Options>},
-    {"genetic", stage_of<genetic::Options>},
-    {"pareidolia", stage_of<pareidolia::Options>},
-    {"sketch", stage_of<sketch::Options>},
-    {"texture", stage_of<texture::Options>},
-};
+template <class... Options>
+std::vector<Name<StageReader>> readers_of(std::type_identity<std::variant<Options...>>) {
+    std::vector<Name<StageReader>> readers{
+        {method_of(StageOptions(Options{})).name, stage_of<Options>}...};
+    std::ranges::sort(readers, {}, &Name<StageReader>::name);
+    return readers;
+}
+
+// The readers of all methods in synth/stage.h, by the methods' names.
+const std::vector<Name<StageReader>>& stage_readers() {
+    static const auto readers = readers_of(std::type_identity<StageOptions>{});
+    return readers;
+}
 
 constexpr std::size_t kMostStages = 64;
 constexpr int kMostSamples = 16384;
 constexpr int kMostTiledSamples = 65536;
 constexpr int kMostTiles = 64;  // a side
 
-// Land of more samples than memory holds.
+// Checks the options of land with more samples than memory can hold.
 void check_tiles(Table& t, const TerrainSpec& terrain,
                  const std::vector<StageSpec>& stages) {
     const auto [samples, tiles] = std::pair(terrain.samples, terrain.tiles);
@@ -41,16 +56,18 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
                         kMostSamples));
     if (tiles == 0) return;
     t.check(tiles % 256 == 0, {"tiles"}, "must be a multiple of 256");
-    t.check(samples <= kMostTiles * tiles, {"tiles"},
-            fmt::format("at most {} a side: let them have {} samples or more", kMostTiles,
-                        (samples - 1) / kMostTiles / 256 * 256 + 256));
+    t.check(
+        samples <= kMostTiles * tiles, {"tiles"},
+        fmt::format("at most {} tiles along a side are possible: set tiles to {} or more",
+                    kMostTiles, (samples - 1) / kMostTiles / 256 * 256 + 256));
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const StageOptions& options = stages[i].options;
         const std::string_view reason = whole_because(options);
         t.check(reason.empty(), {"tiles"},
                 fmt::format("land of stage[{}] cannot be made in tiles: {}", i, reason));
         t.check(makes_land(options) == (i == 0), {"tiles"},
-                "land in tiles has one stage that makes it, and details after that");
+                "land in tiles needs a first stage that makes it, and only detail stages "
+                "after that");
     }
 }
 
@@ -58,13 +75,13 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
 
 void read(Table& t, StageSpec& stage) {
     if (t.describes()) {
-        for (const auto& [name, stage_options] : kMethods)
-            t.variant("method", name, stage_options);
+        for (const auto& [name, reader] : stage_readers())
+            t.variant("method", name, reader);
         return;
     }
-    StageOptions (*options_of)(Table&) = nullptr;
-    if (t.required("method", options_of, one_of(kMethods)))
-        stage.options = options_of(t);
+    StageReader reader = nullptr;
+    if (t.required("method", reader, OneOf<StageReader>{stage_readers()}))
+        stage.options = reader(t);
     else
         t.ignore_unknown();  // without a method, no key can be judged
     stage.text = t.record().text();

@@ -19,7 +19,7 @@ constexpr std::size_t kMostTypes = 32;  // bits of texture::TypeSet
 constexpr std::size_t kMostShapes = 1024, kMostPastes = 256;
 constexpr Range kScales = above_to(0.0, 1000.0);
 
-// A type of the stage.
+// The unit of the name of a type of the stage.
 struct TypeName {
     const std::vector<std::string>& known;
     static constexpr bool kVaries = false;
@@ -82,7 +82,7 @@ void read_exemplars(Table& t, Options& o, TextureNames& names) {
     for (const Exemplar& exemplar : o.exemplars)
         names.exemplars.push_back(exemplar.source.path.stem().string());
     t.check(!o.exemplars.empty(), {"exemplars", "exemplar"},
-            "nothing to make land of; name elevation models, or "
+            "there are no exemplars to make land from; name elevation models, or "
             "\"package:jacksboro\" to begin with");
     t.check(o.exemplars.size() <= kMostExemplars, {"exemplars", "exemplar"},
             fmt::format("{} elevation models are too many; at most {}",
@@ -104,8 +104,8 @@ void read_painting(Table& t, Options& o) {
     t.only_if(!o.types.empty(), {"automatic_types", "paint"},
               "a stage with [[terrain.stage.type]]");
     t.check(!o.automatic_types || !typed, {"automatic_types", "exemplar"},
-            "exemplars are sorted into types by themselves or have types given, not "
-            "both");
+            "automatic_types sorts the exemplars into types; remove it, or the types of "
+            "the exemplars");
     t.check(!o.paint || o.types.empty() || o.automatic_types || typed,
             {"paint", "exemplar"},
             "no exemplar has a type to paint with; set automatic_types, or give "

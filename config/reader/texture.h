@@ -9,7 +9,7 @@
 
 namespace cydonia::config {
 
-// What the parts of a texture stage may refer to, as far as it was read.
+// The names that the parts of a texture stage may refer to, as far as the stage was read.
 struct TextureNames {
     std::vector<std::string> types;
     std::vector<std::string> exemplars;    // without their files' extension

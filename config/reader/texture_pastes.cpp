@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFarthest = 1e6;  // metres, of an outline's corner
 
-// An exemplar by its number from 1 or by its file's name; 0 for "terrain".
+// The unit of an exemplar: its number from 1 or its file's name. "terrain" becomes 0.
 struct TakenFrom {
     const std::vector<std::string>& exemplars;
     static constexpr bool kVaries = false;
@@ -47,7 +47,7 @@ struct TakenFrom {
     }
 };
 
-// Degrees clockwise in the file, quarter turns outside.
+// The unit of a rotation: degrees clockwise in the file, quarter turns outside.
 struct QuarterTurns {
     static constexpr bool kVaries = false;
     int read(const Value& value, Files& files) const {

@@ -73,7 +73,7 @@ void read(Table& t, Curve& curve, TextureNames& names) {
     const bool handled = std::ranges::any_of(
         curve.handles, [](const Handle& handle) { return handle.height.has_value(); });
     t.check(t.has("height") || handled, {"height", "handle"},
-            "needs a height, of its own or in its handles");
+            "needs a height: give height, or heights in its handles");
 }
 
 }  // namespace cydonia::config

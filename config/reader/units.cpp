@@ -70,9 +70,9 @@ std::string line_of_text(const Value& value, std::size_t longest) {
     if (text->size() > longest)
         throw Wrong{fmt::format("text of {} bytes is too long; at most {}", text->size(),
                                 longest)};
-    if (!characters_of(*text)) throw Wrong{"text that is not UTF-8"};
+    if (!characters_of(*text)) throw Wrong{"expected text in UTF-8"};
     if (std::ranges::any_of(*text, control))
-        throw Wrong{"text with line breaks or other control characters"};
+        throw Wrong{"expected one line of text without control characters"};
     return *text;
 }
 
@@ -213,7 +213,7 @@ std::string Number::schema() const { return schema::number(range); }
 
 std::string Degrees::schema() const { return schema::number(range, "degrees"); }
 
-// The range is of the share's number too, which no schema can look at.
+// The range also applies to the number of a share, which a schema cannot check.
 std::string LengthUnit::schema() const {
     return schema::any_of(
         {schema::number(range, "metres"),

@@ -20,21 +20,22 @@
 
 namespace cydonia::config {
 
-// A unit says how one value of a scene file is read, checked and written in canonical
-// form:
+// A unit is a type that reads and checks one value of a scene file and writes it in
+// canonical form:
 //   T read(const Value&, Files&) const  throws Wrong
 //   std::string text(const T&) const    full precision, equal for equal values
 //   std::string schema() const          what it takes, as JSON Schema (schema.h)
 //   static constexpr bool kVaries       may be given as keys over time
 
-// Opens the files that a scene names, each one once.
+// Opens the files that a scene names, each of them once.
 class Files {
   public:
     explicit Files(std::filesystem::path folder)
         : folder_(folder.empty() ? "." : std::move(folder)) {}
-    // Relative to the scene's folder, or to the user's home as "~/a.tif". Throws Wrong.
+    // Opens a path relative to the scene's folder, or to the user's home as "~/a.tif".
+    // Throws Wrong.
     const Source& open(const std::string& name);
-    // Names of the files that a pattern such as "dems/*.tif" stands for, at most `most`.
+    // The names of the files that match a pattern such as "dems/*.tif", at most `most`.
     std::vector<std::string> matching(const std::string& pattern, std::size_t most) const;
 
   private:
@@ -122,7 +123,7 @@ struct Flag {
     std::string schema() const;
 };
 
-// A colour of a drawing, sRGB: "#rrggbb" or a basic word of CSS.
+// A colour of a drawing in sRGB: "#rrggbb" or a basic colour name of CSS.
 struct Colour {
     using Rgb = std::array<std::uint8_t, 3>;
     static constexpr bool kVaries = false;
@@ -131,7 +132,8 @@ struct Colour {
     std::string schema() const;
 };
 
-// A path, absolute or relative to the scene file; canonical by content.
+// A path, absolute or relative to the scene file. Its canonical text is the file's
+// content hash.
 struct File {
     static constexpr bool kVaries = false;
     Source read(const Value& value, Files& files) const;
@@ -139,7 +141,7 @@ struct File {
     std::string schema() const;
 };
 
-// The index of the name that the value gives.
+// The index of a value in the list of names. Throws Wrong with a suggestion.
 std::size_t named(const Value& value, const std::vector<std::string>& names);
 
 template <class E>

@@ -9,7 +9,8 @@
 
 namespace cydonia::config {
 
-// Where a key or a value stands: origin 0 is the scene file, origin n the n-th --set.
+// The position of a key or a value. Origin 0 is the scene file, and origin n is the n-th
+// --set.
 struct Position {
     int origin = 0;
     int line = 1;
@@ -17,7 +18,7 @@ struct Position {
     auto operator<=>(const Position&) const = default;
 };
 
-// A TOML document as plain values that remember where they stand.
+// A TOML document as plain values that know their positions.
 struct Value {
     struct Entry;
     struct Moment {             // a date or a time
@@ -38,7 +39,8 @@ struct Value::Entry {
     Value value;
 };
 
-// "the text 'abc'", "the number 3.5", "a table": for messages about wrong types.
+// A description such as "the text 'abc'", "the number 3.5" or "a table", for messages
+// about wrong types.
 std::string described(const Value& value);
 
 }  // namespace cydonia::config

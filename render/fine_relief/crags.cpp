@@ -10,8 +10,8 @@
 namespace cydonia::render {
 namespace {
 
-constexpr double kLeast = 0.16,
-                 kMost = 0.75;  // slopes at which roughness is least and is 1
+constexpr double kEven = 0.16,
+                 kRough = 0.75;  // slopes at which roughness is least and is 1
 constexpr double kLevel = 1.0 / 16.0;
 
 }  // namespace
@@ -31,7 +31,7 @@ Field<float> crags(const Field<float>& heights, double spacing, double wavelengt
             const double b = (heights(x, south) - heights(x, north)) * per_metre;
             const double rough =
                 kLevel +
-                (1.0 - kLevel) * smoothstep(kLeast, kMost, std::sqrt(a * a + b * b));
+                (1.0 - kLevel) * smoothstep(kEven, kRough, std::sqrt(a * a + b * b));
             const double e = (x + 0.5) * spacing, s = (y + 0.5) * spacing;
             const double noise = texture_noise(e, s, wavelength, seed);
             const double where = texture_noise(e, s, 9.0 * wavelength, seed + 1);

@@ -10,7 +10,7 @@
 namespace cydonia::render {
 namespace {
 
-constexpr double kCell =
+constexpr double kCraterCell =
     2.5;  // side of a lattice cell, in diameters; each may hold a crater
 constexpr double kShare = 0.55;  // of the cells that hold one
 constexpr double kThrown = 2.2;  // reach of the ejecta, in radii
@@ -49,7 +49,7 @@ Crater crater_of(int i, int j, double cell, double diameter, std::uint64_t seed)
 
 Field<float> craters(int width, int height, double spacing, double diameter,
                      std::uint64_t seed) {
-    const double cell = kCell * diameter;
+    const double cell = kCraterCell * diameter;
     const int across = static_cast<int>(width * spacing / cell) + 1;
     const int down = static_cast<int>(height * spacing / cell) + 1;
     Field<Crater> lattice(across + 2, down + 2);  // with a margin of one cell

@@ -216,7 +216,7 @@ Terrain with_fine_relief(const Terrain& terrain, const FineReliefOptions& option
         ShadowImage finer = image;
         finer.target = repeated(image.target, factor);
         if (!image.window.empty()) finer.window = repeated(image.window, factor);
-        if (!image.given_up.empty()) finer.given_up = repeated(image.given_up, factor);
+        if (!image.relaxed.empty()) finer.relaxed = repeated(image.relaxed, factor);
         fine.shadows.push_back(std::move(finer));
     }
     return fine;

@@ -11,10 +11,10 @@
 namespace cydonia::render {
 namespace {
 
-constexpr float kCell = 1.3f;   // side of a lattice cell, in wavelengths
+constexpr float kOriginCell = 1.3f;   // side of a lattice cell, in wavelengths
 constexpr float kReach = 1.5f;  // reach of the stripes of an origin, in cells
-constexpr float kLeast = 0.14f,
-                kMost = 0.75f;  // slopes at which gullies begin and are full
+constexpr float kGullied = 0.14f,
+                kFullyGullied = 0.75f;  // slopes at which gullies begin and are full
 constexpr float kWall = 1.1f,
                 kSheer =
                     3.0f;  // slopes over which they fade to 0.4, since water falls there
@@ -71,7 +71,7 @@ Wave blended(const Field<Origin>& from, float px, float py, float ax, float ay) 
 Field<float> gullies(const Field<float>& heights, double spacing, double wavelength,
                      std::uint64_t seed) {
     const int width = heights.width(), height = heights.height();
-    const auto lattice = static_cast<float>(spacing / (kCell * wavelength));
+    const auto lattice = static_cast<float>(spacing / (kOriginCell * wavelength));
     const Field<Origin> from =
         origins(static_cast<int>(lattice * static_cast<float>(width)) + 1,
                 static_cast<int>(lattice * static_cast<float>(height)) + 1, seed);
@@ -90,9 +90,9 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             const float south_rise = (heights(x, south) - heights(x, north)) * per_metre;
             const float slope =
                 std::sqrt(east_rise * east_rise + south_rise * south_rise);
-            if (slope <= kLeast) continue;
+            if (slope <= kGullied) continue;
             // Across the slope, in turns a lattice cell.
-            const float ax = -south_rise / slope * kCell, ay = east_rise / slope * kCell;
+            const float ax = -south_rise / slope * kOriginCell, ay = east_rise / slope * kOriginCell;
             const float px = (static_cast<float>(x) + 0.5f) * lattice;
             const float py = (static_cast<float>(y) + 0.5f) * lattice;
             const Wave blend = blended(from, px, py, ax, ay);
@@ -108,7 +108,7 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
                 0.1, 1.4));
             const float wall = std::clamp((slope - kWall) / (kSheer - kWall), 0.0f, 1.0f);
             result(x, y) = (1.0f - 0.6f * wall) * deep *
-                           smoothstep(kLeast, kMost, slope) *
+                           smoothstep(kGullied, kFullyGullied, slope) *
                            std::min(1.0f, 2.0f * length) * (0.5f * u + 0.5f * sharp);
         }
     });

@@ -10,8 +10,6 @@
 namespace cydonia::render {
 namespace {
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
 // Clockwise from above, as POV-Ray turns about its y axis.
 Vec3 turned(const Vec3& v, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);

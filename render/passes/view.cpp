@@ -34,37 +34,36 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 std::array<float, 3> floats(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-// The first hit of a ray and its distance, metres.
-struct Hit {
-    double distance = kNever;
-    Surface surface = Surface::kSky;
-    unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
-    float u = 0.0f, v = 0.0f;
-};
-
-// A level plane. `lands` copies on each side of the land bound its inside; it exists
-// inside, outside or both.
-struct Plane {
-    double height;
-    int lands;
-    bool inside, outside;
-    Surface surface;
-};
-
-// Where the rays from a seen point to the sun begin, in Embree's space, and the
-// surface's normal there.
-struct ShadowRayOrigin {
-    Vertex from{};
-    Vec3 normal{};  // zero for the sky
-};
 
 }  // namespace
 
 // Embree's x, y and z are metres east, north and up from the middle of the land, divided
 // by the spacing.
 struct View::Scene {
+    // The first hit of a ray and its distance, metres.
+    struct Hit {
+        double distance = kNever;
+        Surface surface = Surface::kSky;
+        unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
+        float u = 0.0f, v = 0.0f;
+    };
+
+    // A level plane. `lands` copies on each side of the land bound its inside; it exists
+    // inside, outside or both.
+    struct Plane {
+        double height;
+        int lands;
+        bool inside, outside;
+        Surface surface;
+    };
+
+    // Where the rays from a seen point to the sun begin, in Embree's space, and the
+    // surface's normal there.
+    struct ShadowRayOrigin {
+        Vertex from{};
+        Vec3 normal{};  // zero for the sky
+    };
+
     Scene(const Terrain& land, const Scenery& scenery);
 
     void lay_land();
@@ -271,7 +270,7 @@ SeenPoint View::Scene::point(const Ray& ray, const Hit& hit, bool smooth,
     return seen;
 }
 
-ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
+View::Scene::ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
     if (p.surface == Surface::kSky) return {};
     Vec3 at = vec(p.at), normal = vec(p.normal);
     if (p.surface == Surface::kLand) {

@@ -52,8 +52,8 @@ std::string rival_of(const ShadowImage& image, const std::vector<ShadowImage>& a
         if (&other == &image) continue;
         const Mask& asked = other.window.empty() ? other.target : other.window;
         std::size_t shared = 0;
-        for (std::size_t i = 0; i < image.given_up.size(); ++i)
-            shared += image.given_up[i] && asked[i];
+        for (std::size_t i = 0; i < image.relaxed.size(); ++i)
+            shared += image.relaxed[i] && asked[i];
         if (shared > most) {
             most = shared;
             rival = other.name;
@@ -80,7 +80,7 @@ std::string about_rivals(const ShadowReport& report) {
         "land shows both. Move the two apart (position) or scale either down until "
         "their windows share no ground; or relight them from one azimuth, so that what "
         "the higher sun shades lies within what the lower one does.",
-        100.0 * report.given_up, other);
+        100.0 * report.relaxed, other);
 }
 
 std::string about_light(const ShadowReport& report) {
@@ -137,7 +137,7 @@ std::vector<ShadowReport> check(const Terrain& terrain, const fs::path& folder) 
                            image.sun,
                            image.min_iou,
                            score(cast, image.target, image.window),
-                           given_up(image).share,
+                           relaxed(image).share,
                            rival_of(image, terrain.shadows),
                            {}});
     }
@@ -173,11 +173,11 @@ std::string advice(const ShadowReport& report) {
         "The shadow of '{}' matches its target with IoU {:.3f} (precision {:.3f}, recall "
         "{:.3f}); {:.3f} is wanted.",
         report.name, shown(iou), precision, recall, report.min_iou);
-    if (report.given_up > 0.0) text += about_rivals(report);
+    if (report.relaxed > 0.0) text += about_rivals(report);
     if (recall <= precision) text += about_light(report);
     if (precision <= recall) text += about_shadow(report);
     text += " overlay.png shows where: blue hit, yellow missed, pink spurious";
-    return text + (report.given_up > 0.0 ? ", violet gave way." : ".");
+    return text + (report.relaxed > 0.0 ? ", violet gave way." : ".");
 }
 
 }  // namespace cydonia::render

@@ -21,8 +21,8 @@ struct ShadowReport {
     std::string name;
     Sun sun;
     double min_iou = 0.0;
-    ShadowScore score;      // within the image's window
-    double given_up = 0.0;  // share of the window's cells that were left to other images,
+    ShadowScore score;     // within the image's window
+    double relaxed = 0.0;  // share of the window's cells that were left to other images,
     std::string rival = {};                   // mostly to this one
     std::optional<double> standing_out = {};  // if it was measured (figures.h)
 

@@ -76,17 +76,17 @@ void check_shapes(const Field<float>& heights, const ShadowImage& image) {
         throw bad_request("the target of '{}' has {}x{} cells, the terrain {}x{}",
                           image.name, image.target.width(), image.target.height(),
                           heights.width(), heights.height());
-    if (!fits(image.window) || !fits(image.given_up))
+    if (!fits(image.window) || !fits(image.relaxed))
         throw bad_request("the masks of '{}' differ in shape from its target",
                           image.name);
 }
 
-GivenUp given_up(const ShadowImage& image) {
-    if (image.given_up.empty()) return {};
+Relaxed relaxed(const ShadowImage& image) {
+    if (image.relaxed.empty()) return {};
     std::size_t cells = 0, dark = 0, missed = 0, spurious = 0;
     for (std::size_t i = 0; i < image.target.size(); ++i) {
         if (!image.window.empty() && !image.window[i]) continue;
-        const bool wanted = image.target[i] != 0, gave = image.given_up[i] != 0;
+        const bool wanted = image.target[i] != 0, gave = image.relaxed[i] != 0;
         ++cells;
         dark += wanted;
         missed += gave && wanted;
@@ -115,7 +115,7 @@ ShadowFigures shadow_figures(const CheckedLand& land, const CheckedLand* base,
     figures.thin_recall = thin_recall(fine, target, window);
     figures.iou_4x4 = score(land.caster.shadow(image.sun, 4), target, window).iou;
     figures.iou_soft = score(soft_shadow(land.caster, image.sun, 2), target, window).iou;
-    figures.given_up = given_up(image);
+    figures.relaxed = relaxed(image);
 
     const Mask cast = land.caster.shadow(image.sun, 1);
     figures.iou_1x1 = score(cast, target, window).iou;

@@ -41,11 +41,11 @@ struct OtherSun {
 };
 
 // The cells of the window that an image left to others.
-struct GivenUp {
+struct Relaxed {
     double share = 0.0;  // of the window
     double bound = 1.0;  // the highest IoU possible when all of them are wrong
 };
-GivenUp given_up(const ShadowImage& image);
+Relaxed relaxed(const ShadowImage& image);
 
 // All figures of one image. Its window is where shadows count.
 struct ShadowFigures {
@@ -57,7 +57,7 @@ struct ShadowFigures {
     double iou_soft = 0.0;   // 2x2; in shadow where half of the sun's disc is occluded
     double outline = 0.0;    // F-score of the outlines at one cell, 2x2
     std::optional<double> thin_recall;  // of parts thinner than four cells
-    GivenUp given_up;
+    Relaxed relaxed;
 
     double standing_out = 0.0;  // under its own sun
     std::vector<OtherSun> other_suns;

@@ -11,7 +11,7 @@ namespace {
 constexpr Rgb8 kHit{0, 45, 95};           // dark blue
 constexpr Rgb8 kMissed{240, 185, 20};     // yellow
 constexpr Rgb8 kSpurious{215, 100, 140};  // pink
-constexpr Rgb8 kGivenUp{165, 60, 255};    // violet
+constexpr Rgb8 kRelaxed{165, 60, 255};    // violet
 constexpr Rgb8 kLit{255, 255, 255};
 constexpr Rgb8 kNatural{195, 200, 205};  // shadow that does not count
 constexpr Rgb8 kBorder{140, 140, 140};   // of the window
@@ -19,7 +19,7 @@ constexpr Rgb8 kBorder{140, 140, 140};   // of the window
 Rgb8 colour_of(bool cast, const ShadowImage& image, std::size_t cell) {
     const bool counts = image.window.empty() || image.window[cell];
     if (!counts) return cast ? kNatural : kLit;
-    if (!image.given_up.empty() && image.given_up[cell]) return kGivenUp;
+    if (!image.relaxed.empty() && image.relaxed[cell]) return kRelaxed;
     const bool wanted = image.target[cell] != 0;
     if (cast) return wanted ? kHit : kSpurious;
     return wanted ? kMissed : kLit;

@@ -35,7 +35,6 @@ constexpr double kLowestSun = -0.2;          // sine of its elevation in the tab
 constexpr double kDisc = 0.53 / 180.0 * pi;  // across
 
 double square(double v) { return v * v; }
-Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 Vec3 exp_of(Vec3 a) { return {std::exp(a.x), std::exp(a.y), std::exp(a.z)}; }
 Vec3 grey(double v) { return {v, v, v}; }
 Vec3 share(Vec3 a, Vec3 b) {

@@ -21,11 +21,9 @@ constexpr double kThroughOvercast = 0.2;
 // Model", SIGGRAPH 2001, table 1), in the unit of a night.
 constexpr double kNightGlow = 0.0017;
 
-Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 Rgb rgb(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
-Vec3 vec(const Rgb& c) { return {c[0], c[1], c[2]}; }
 double luminance(Vec3 v) { return 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z; }
 
 // The moon's light relative to that of a full moon by its phase angle: C. W. Allen,

@@ -36,7 +36,7 @@ Stencil stencil(std::initializer_list<Stencil::Tap> taps) {
     return result;
 }
 
-// Quadratic B-splines whose ends are interpolated (notes.md, Brosz 1). Inner rows are the
+// Quadratic B-splines whose ends are interpolated (docs/papers.md, Brosz 1). Inner rows are the
 // published ones; the outer ones follow from A P = 1, B P = 0 and P A + Q B = 1.
 FilterBank chaikin(int n) {
     const int fine = 2 * n - 2, last = fine - 1;

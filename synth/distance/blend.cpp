@@ -11,37 +11,34 @@
 #include <cmath>
 #include <memory>
 
+#include "field/smoothstep.h"
 #include "synth/distance/explain.h"
 
 namespace cydonia::distance {
 namespace {
 
-// Features in the air at once, each with its own labels, and what all labels may take.
+// The number of features in the pipeline at once, each of which has its own labels, and
+// the memory that all labels may take.
 constexpr int kMaxThreads = 16;
 constexpr double kLabelBytes = 0x1p30;
 
-float smoothstep(float t) {
-    t = std::clamp(t, 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
-}
-
-// 0 at and below `from`, 1 from `to` on.
+// Rises from 0 at `from` and below to 1 at `to` and above.
 float fade(float value, float from, float to) {
-    return to > from ? smoothstep((value - from) / (to - from)) : float(value > from);
+    return to > from ? smoothstep(from, to, value) : float(value > from);
 }
 
-// Weight lost near the sea, where a pass stops within epsilon_s of it.
+// The factor of a weight near the sea, since a pass stops within epsilon_s of it.
 float fade_at_sea(float height, float threshold) {
     return fade(height, threshold, 4.0f * threshold);
 }
 
-// Weight lost far below the approximate land, where a pass stops by p_f. A slow fade: at
-// b = 0 a quick one is itself a step.
+// The factor of a weight far below the approximate land, since a pass stops there by p_f.
+// The fade is slow because at b = 0 a quick one would itself be a step.
 float fade_below(float ratio, float threshold) {
     return fade(ratio, threshold, std::min(8.0f * threshold, 1.0f));
 }
 
-// x^b for x in [0, 1]; whole exponents, the usual ones, by multiplication.
+// x^b for x in [0, 1]. The usual whole exponents are multiplied out.
 class Power {
   public:
     explicit Power(double exponent)
@@ -63,16 +60,16 @@ class Power {
     int whole_;
 };
 
-// What one feature gives one cell.
+// What one feature contributes to one cell.
 struct Share {
     int node;
     float height;
     float weight;
 };
 
-// The weights of eq. 3.7. They are relative to the approximate height, which cancels in
-// the sum and keeps any bias within range, and fade towards the border where the pass
-// stops, so that it leaves no seam (notes.md, Rusnell 5).
+// The weights of eq. 3.7. They are divided by the approximate height, which cancels in
+// the sum and keeps any bias within the range of floats. They fade towards the border
+// where the pass stops, so that it leaves no seam (docs/papers.md, Rusnell 5).
 class Weights {
   public:
     Weights(const Ground& ground, const Halting& halting, const BlendOptions& options,
@@ -134,8 +131,8 @@ struct Sums {
             highest[share.node] = std::max(highest[share.node], share.height);
         }
     }
-    // Eq. 3.7, by node. Where the last feature stops too the land meets the sea without a
-    // step.
+    // Eq. 3.7, by node. The land also fades where the last feature stops, so that it
+    // meets the sea without a step.
     std::vector<float> blended(float least) const {
         std::vector<float> result(heights.size());
         for (std::size_t node = 0; node < result.size(); ++node) {
@@ -152,17 +149,17 @@ struct Work {
     const Halting& halting;
     const std::vector<float>& approximate;
     const Weights& weights;
-    const Onlookers& onlookers;
+    const Observers& observers;
 };
 
-// A feature on its way through the pipeline.
+// A feature in the pipeline.
 struct Ticket {
     int feature = 0;
     Pass pass;
     std::vector<Share> shares;
 
     void go(const Work& work, LeastCost& paths) {
-        const PassMemory* memory = work.onlookers.memory;
+        const PassMemory* memory = work.observers.memory;
         auto known =
             memory ? memory->recalled(feature, work.approximate, paths) : std::nullopt;
         pass = known ? std::move(*known)
@@ -172,10 +169,10 @@ struct Ticket {
     }
 };
 
-// Step 7 for every feature, in parallel; added up in the features' order.
+// Step 7 for every feature in parallel. The sums are taken in the features' order.
 void sum_features(const Work& work, int threads, Sums& sums, Progress& progress,
                   PassCounts& counts) {
-    // Labels stay with their thread: in another's they would have to cross between the
+    // Labels stay with their thread: on another one they would have to move between the
     // processors' caches.
     tbb::enumerable_thread_specific<LeastCost> paths(
         [&] { return LeastCost(work.ground.graph); });
@@ -199,10 +196,10 @@ void sum_features(const Work& work, int threads, Sums& sums, Progress& progress,
         const Pass& pass = ticket->pass;
         counts.features += pass.nodes.size();
         counts.recalled += pass.nodes.size() - std::min(pass.settled, pass.nodes.size());
-        if (Explainer* explainer = work.onlookers.explainer) {
+        if (Explainer* explainer = work.observers.explainer) {
             explainer->pass(ticket->feature, pass);
         }
-        if (PassMemory* memory = work.onlookers.memory) {
+        if (PassMemory* memory = work.observers.memory) {
             memory->keep(ticket->feature, pass, work.approximate);
         }
         progress.report((ticket->feature + 1.0) / count);
@@ -234,9 +231,9 @@ Field<float> by_sample(const Graph& graph, const std::vector<float>& values) {
 Field<float> blended_heights(const Ground& ground, const Halting& halting,
                              const BlendOptions& options,
                              const std::vector<float>& approximate, Progress& progress,
-                             const Onlookers& onlookers, PassCounts* counts) {
+                             const Observers& observers, PassCounts* counts) {
     const Weights weights(ground, halting, options, approximate);
-    const Work work{ground, halting, approximate, weights, onlookers};
+    const Work work{ground, halting, approximate, weights, observers};
     PassCounts counted;
     Sums sums(ground.graph.nodes());
     const int threads = threads_for(ground.graph.nodes());

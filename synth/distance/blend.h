@@ -10,37 +10,37 @@
 
 namespace cydonia::distance {
 
-// How features meet.
+// How features are blended.
 struct BlendOptions {
     double bias = 3.0;      // b, where there is no map
     Field<float> bias_map;  // b of each sample; empty: everywhere the same
 };
 
-// What the work settled: nodes.
+// How many passes were made.
 struct PassCounts {
     std::size_t features = 0;  // of all passes with one feature
     std::size_t recalled = 0;  // of them those that were known from an earlier run
 };
 
-// Who looks on. Either may be null.
-struct Onlookers {
+// Objects that watch the passes; either may be null. The caller owns them.
+struct Observers {
     PassMemory* memory = nullptr;
     class Explainer* explainer = nullptr;
 };
 
-// Rusnell 2009, Algorithm 3, step 7: heights above sea level, in metres, from the
-// approximate ones. They depend neither on the number of threads nor on what is
+// Rusnell 2009, Algorithm 3, step 7: computes the heights above sea level, in metres,
+// from the approximate ones. They depend neither on the number of threads nor on what is
 // remembered.
 Field<float> blended_heights(const Ground& ground, const Halting& halting,
                              const BlendOptions& options,
                              const std::vector<float>& approximate, Progress& progress,
-                             const Onlookers& onlookers = {},
+                             const Observers& observers = {},
                              PassCounts* counts = nullptr);
 
-// Values by node, of the graph's samples.
+// Copies values by node into a field of the graph's samples.
 Field<float> by_sample(const Graph& graph, const std::vector<float>& values);
 
-// Bytes that blended_heights takes for a graph of this size, besides the graph.
+// The memory in bytes that blended_heights() takes besides a graph of this size.
 double blend_bytes(double cells);
 
 }  // namespace cydonia::distance

@@ -24,14 +24,14 @@ using Range = CostRange;
 const double kUsual = thesis_units(20.0).fraction;  // of the width
 
 double noise_cost(const NoiseOptions& noise, const Site& site, double x, double y) {
-    // One seed for all groups: equal options give the same field.
+    // All groups share one seed, so that equal options give the same field.
     return noise.scale.in(site.width) *
            noise_at(noise, x / site.width, y / site.width,
                     hash_of({site.seed, key("generator cost")}));
 }
 
-// Over the land, on a lattice of 256 points along the longer side, which depends on
-// nothing else.
+// The range over the land, measured on a lattice of 256 points along the longer side, so
+// that it does not depend on the number of samples.
 Range noise_range(const NoiseOptions& noise, const Site& site) {
     const int columns = (site.columns + 3) / 4, rows = (site.rows + 3) / 4;
     Field<float> values(columns, rows);
@@ -120,7 +120,7 @@ void CostPattern::enter(const Shape& shape, int i) {
     if (rule_.kind == Kind::kGaussian) {
         double end = -1e300;
         begin_ = 1e300;
-        for (const Place& p : shape.places) {
+        for (const SitePoint& p : shape.places) {
             const double way =
                 p.x * std::sin(rule_.azimuth) - p.y * std::cos(rule_.azimuth);
             begin_ = std::min(begin_, way);
@@ -166,7 +166,7 @@ Range CostPattern::raw_range() const {
     }
 }
 
-double CostPattern::raw(const Place& place) const {
+double CostPattern::raw(const SitePoint& place) const {
     const double usual = kUsual * site_->width;
     switch (rule_.kind) {
         case Kind::kNoise:
@@ -209,7 +209,7 @@ double CostPattern::raw(const Place& place) const {
     return 0.0;
 }
 
-// 0 at the curve's top, 1 at its foot.
+// The drawn curve's share: 0 at its top, 1 at its foot.
 double CostPattern::drawn_share(double t) const {
     const auto after = std::ranges::upper_bound(drawn_, t, {}, &CurvePoint::x);
     if (after == drawn_.begin()) return 1.0 - drawn_.front().f;
@@ -218,7 +218,7 @@ double CostPattern::drawn_share(double t) const {
     return 1.0 - std::lerp(before.f, after->f, (t - before.x) / (after->x - before.x));
 }
 
-double CostPattern::at(const Place& place) const {
+double CostPattern::at(const SitePoint& place) const {
     double value = raw(place);
     if (rule_.inverted) value = source_.least + source_.greatest - value;
     if (!rule_.range && !rule_.share) return value;
@@ -233,9 +233,9 @@ void set_costs(std::vector<Shape>& shapes, const Group& group, const Site& site,
     CostPattern pattern(group.cost, group.name, site, reference, noises);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         pattern.enter(shapes[i], static_cast<int>(i));
-        for (std::vector<Place>* places : {&shapes[i].places, &shapes[i].land}) {
+        for (std::vector<SitePoint>* places : {&shapes[i].places, &shapes[i].land}) {
             parallel_for(static_cast<int>(places->size()), 256, [&](int p) {
-                Place& place = (*places)[p];
+                SitePoint& place = (*places)[p];
                 place.cost = static_cast<float>(std::max(0.0, pattern.at(place)));
             });
         }

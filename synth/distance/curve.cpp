@@ -21,7 +21,7 @@ constexpr int kMostLines = 4096;
 constexpr std::size_t kMostBytes = kMostLines * 256u;
 constexpr double kMost = 1e9;  // of x and f: their differences stay numbers
 
-// Points and how to name them.
+// Points and how messages name them.
 struct Reading {
     std::vector<CurvePoint> points;
     std::vector<int> lines;  // of a table
@@ -34,9 +34,10 @@ struct Reading {
     }
 };
 
-// The middle of the dark line in each column, weighted by how dark it is: a smooth line
-// is placed finer than its pixels. Light greys are paper. The columns in which the line
-// begins and ends have a corner of it only, whose middle lies elsewhere.
+// The middle of the dark line in each column, weighted by darkness, so that a smooth line
+// is placed more finely than its pixels. Light greys are paper. The columns in which the
+// line begins and ends contain only a corner of it, whose middle lies elsewhere, and are
+// left out.
 Reading traced(const Source& source, const std::string& what) {
     Reading reading{.points = {},
                     .lines = {},
@@ -98,7 +99,7 @@ Reading tabled(const Source& source, const std::string& what) {
         .points = {}, .lines = {}, .name = what + ": " + source.path.string()};
     const std::string text = read_text(source.path, kMostBytes);
     std::string_view rest = text;
-    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // some editors' mark
+    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // a byte order mark
     for (int number = 1; !rest.empty(); ++number) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         const std::string_view whole = rest.substr(0, end);
@@ -110,7 +111,7 @@ Reading tabled(const Source& source, const std::string& what) {
         if (line.empty()) continue;
         CurvePoint point{};
         if (!parse(line, point)) {
-            throw bad_request("{}:{}: two numbers 'x, f(x)' are needed", reading.name,
+            throw bad_request("{}:{}: expected two numbers 'x, f(x)'", reading.name,
                               number);
         }
         reading.points.push_back(point);
@@ -136,7 +137,7 @@ Reading reading_of(const Curve& curve, const std::string& what) {
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!(std::abs(points[i].x) <= kMost && std::abs(points[i].f) <= kMost)) {
-            throw reading.error(i, "not a number of any use");
+            throw reading.error(i, "the number is not finite or too large");
         }
         if (i > 0 && !(points[i].x > points[i - 1].x)) {
             throw reading.error(i, fmt::format("x must increase, but {} follows {}",

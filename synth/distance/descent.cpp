@@ -7,12 +7,13 @@
 namespace cydonia::distance {
 namespace {
 
-// A little more than a bin, so that rounding puts no two knots into one.
+// A little more than a bin, so that rounding puts no two knots into one bin.
 constexpr double kApart = 1.01 / Descent::kBins;
 
-// The line with at least `apart` between its points, in distance and in cost. A run of
-// points too close to the one before becomes its last point, moved away by less than
-// `apart`: ledges and cliffs stay, at the height and place where they end.
+// The line with its points at least `apart` from one another in distance and in cost. A
+// run of points too close to the one before is replaced by its last point, moved away by
+// less than `apart`, so that ledges and cliffs stay at the height and distance where they
+// end.
 std::vector<CostPoint> spaced(std::span<const CostPoint> line) {
     const CostPoint end = line.back();
     const CostPoint apart{kApart * end.distance, kApart * end.cost};
@@ -45,7 +46,8 @@ std::vector<Descent::Knot> knots_of(std::span<const CostPoint> line) {
             {static_cast<float>(distance), static_cast<float>(cost), 0.0f, 0.0f});
     }
     for (std::size_t i = 0; i < knots.size(); ++i) {
-        const std::size_t a = std::min(i, knots.size() - 2);  // as before beyond the end
+        // Beyond the end the slope continues.
+        const std::size_t a = std::min(i, knots.size() - 2);
         const double fall = 1.0 * knots[a + 1].cost - knots[a].cost;
         const double way = 1.0 * knots[a + 1].distance - knots[a].distance;
         knots[i].slope = static_cast<float>(fall / way);
@@ -73,7 +75,7 @@ std::vector<std::array<float, Descent::kSlopeBins>> least_slopes_of(
     std::vector<std::array<float, kBins>> levels(Descent::kSlopeLevels);
     levels[0].fill(std::numeric_limits<float>::infinity());
     for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-        // A little beyond the piece: shares are rounded.
+        // A little beyond the segment, because shares are rounded.
         const double low = knots[k].cost / sea_level * kBins - 0.01;
         const double high = knots[k + 1].cost / sea_level * kBins + 0.01;
         const int first = static_cast<int>(std::clamp(low, 0.0, kBins - 1.0));

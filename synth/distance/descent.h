@@ -13,15 +13,16 @@ struct CostPoint {
     double distance, cost;  // metres
 };
 
-// A profile turned over, scaled to sea level and tabulated: cost by horizontal distance
-// from a generator of cost 0, strictly increasing from (0, 0), straight beyond the reach.
-// Pieces are found both by distance and by cost without a search: neither a bin of
-// distance nor one of cost has more than one knot in it. Made by tabulated().
+// A profile turned upside down, scaled to sea level and tabulated: cost by horizontal
+// distance from a generator of cost 0. It strictly increases from (0, 0) and is straight
+// beyond the reach. Segments are found by distance and by cost without a search, because
+// no bin of distance or of cost contains more than one knot. Made by tabulated().
 struct Descent {
     double sea_level = 0.0;  // c_s, metres
     double reach = 0.0;      // metres at which the cost is c_s
 
-    // Does not decrease, rounding included. From 0 to infinity.
+    // The cost at a distance from 0 to infinity. It does not decrease, even with
+    // rounding.
     float operator()(float distance) const {
         const std::uint16_t* const first = by_distance.data();
         const Knot* knot = &knots[first[bin_of(distance * bins_a_metre)]];
@@ -29,7 +30,7 @@ struct Descent {
         return std::min(knot->cost + (distance - knot->distance) * knot->slope,
                         knot[1].cost);
     }
-    // The inverse, up to rounding. From 0 to infinity.
+    // The inverse, up to rounding, for a cost from 0 to infinity.
     float distance_at(float cost) const {
         const std::uint16_t* const first = by_cost.data();
         const Knot* knot = &knots[first[bin_of(cost * bins_a_cost)]];
@@ -38,7 +39,8 @@ struct Descent {
                         knot[1].distance);
     }
     // The least d cost / d distance where the cost lies between these shares of sea
-    // level; past 1 counts as 1. Up to a thousandth too little, never too much.
+    // level; shares above 1 count as 1. It may be up to a thousandth too small, but never
+    // too large.
     float least_slope(float low, float high) const;
 
     static constexpr int kBins = 4096;
@@ -60,8 +62,9 @@ struct Descent {
     }
 };
 
-// `line`: from (0, 0), at least two points, both coordinates rising strictly; its end is
-// kept, the rest may move by two of 4096 parts of the reach or of sea level.
+// `line` begins at (0, 0) and has at least two points, whose coordinates both rise
+// strictly. Its end is kept; the other points may move by 2/4096 of the reach or of sea
+// level.
 Descent tabulated(std::span<const CostPoint> line);
 
 }  // namespace cydonia::distance

@@ -69,7 +69,7 @@ std::string remembered(const Memory& memory) {
     return none || size > kMostBytes ? "" : read_text(memory.last, kMostBytes);
 }
 
-// Step 7, with what is remembered from the last run.
+// Step 7, with the passes that are remembered from the last run.
 Field<float> blended(const Options& options, const Ground& ground, const Halting& halting,
                      const std::vector<float>& approximate, Explainer* explainer,
                      const Context& context) {
@@ -106,7 +106,7 @@ Field<float> heights_of(const Options& options, const Layout& layout,
                    explainer ? &*explainer : nullptr, context);
 }
 
-// What is replaced takes its water with it.
+// When the terrain so far is replaced, its water is removed too.
 void lay_over(Terrain& terrain, const Field<float>& heights, const Options& options) {
     const auto scale = static_cast<float>(options.vertical_scale);
     const bool adds = options.combine == Options::Combine::kAdd;

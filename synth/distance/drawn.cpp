@@ -19,7 +19,8 @@ std::string shown(const Colour& c) {
     return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
 }
 
-// The colours that groups name in a picture; empty when one takes everything drawn.
+// The colours that groups name in a picture; empty when a group takes everything that is
+// drawn.
 std::vector<Colour> palette_of(const Options& options, const Source& source) {
     std::vector<Colour> palette;
     for (const Group& group : options.groups) {
@@ -31,7 +32,7 @@ std::vector<Colour> palette_of(const Options& options, const Source& source) {
     return palette;
 }
 
-// Colours as numbers, which compare fast; 0 is nothing.
+// Colours as numbers, which are fast to compare; 0 means that nothing is drawn.
 using Colours = Field<std::uint32_t>;
 
 Colours colours_of(const Field<Rgba8>& cells) {
@@ -45,13 +46,14 @@ Colour colour_of(std::uint32_t number) {
     return {r, g, b};
 }
 
-// Which place of which shape a cell of the lattice is.
+// The shape to which a cell of the lattice belongs, and its index in that shape's places.
 struct Owner {
     int shape = -1;
     int place = 0;
 };
 
-// The cell of this colour nearest to (x, y), among it and its neighbours.
+// The owner of the nearest cell of this colour among (x, y) and its neighbours; null when
+// none has it.
 const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int x, int y,
                         std::uint32_t colour) {
     const auto is = [&](int i, int j) {
@@ -71,15 +73,16 @@ const Owner* owner_near(const Field<Owner>& owners, const Colours& colours, int 
     return nullptr;
 }
 
-// The land's own cells of strokes, for a land fine enough to show what the lattice shows.
+// Gives the shapes the land's own cells, when the land is fine enough to show the strokes
+// as the lattice does.
 void refine(std::vector<Shape*> shapes, const Field<Owner>& owners,
             const Colours& colours, const Colours& fine, const Site& site) {
     const Graph& land = site.graph;
-    std::vector<std::vector<Place>> places(shapes.size());
+    std::vector<std::vector<SitePoint>> places(shapes.size());
     for (int y = 0; y < land.height; ++y) {
         for (int x = 0; x < land.width; ++x) {
             if (fine(x, y) == 0) continue;
-            Place place = site.centre_of(land, land.node(x, y));
+            SitePoint place = site.centre_of(land, land.node(x, y));
             const Owner* owner = owner_near(
                 owners, colours, static_cast<int>(place.x / site.width * site.columns),
                 static_cast<int>(place.y / site.depth * site.rows), fine(x, y));
@@ -103,33 +106,33 @@ DrawnStrokes::DrawnStrokes(const Site& site) {
             return same(picture.source, strokes->image);
         });
         if (!known)
-            pictures_.push_back({strokes->image, pieces_in(strokes->image, site)});
+            pictures_.push_back({strokes->image, components_in(strokes->image, site)});
     }
 }
 
-std::vector<DrawnStrokes::Piece> DrawnStrokes::pieces_in(const Source& source,
-                                                         const Site& site) {
+std::vector<DrawnStrokes::Component> DrawnStrokes::components_in(const Source& source,
+                                                                 const Site& site) {
     const std::vector<Colour> palette = palette_of(site.options, source);
     const Colours colours =
         colours_of(read_strokes(source, site.columns, site.rows, palette));
-    const std::vector<std::vector<int>> found = pieces_of(colours, 0u);
-    std::vector<Piece> pieces;
+    const std::vector<std::vector<int>> found = components_of(colours, 0u);
+    std::vector<Component> components;
     Field<Owner> owners(site.columns, site.rows);
     for (const std::vector<int>& cells : found) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            owners[cells[i]] = {static_cast<int>(pieces.size()), static_cast<int>(i)};
+            owners[cells[i]] = {static_cast<int>(components.size()), static_cast<int>(i)};
         }
-        pieces.push_back({colour_of(colours[cells.front()]),
-                          stretched(cells, site.columns, site.rows, site)});
+        components.push_back({colour_of(colours[cells.front()]),
+                              stretched(cells, site.columns, site.rows, site)});
     }
     if (site.graph.width >= 2 * site.columns) {
         std::vector<Shape*> shapes;
-        for (Piece& piece : pieces) shapes.push_back(&piece.shape);
+        for (Component& component : components) shapes.push_back(&component.shape);
         const Colours fine = colours_of(
             read_strokes(source, site.graph.width, site.graph.height, palette));
         refine(shapes, owners, colours, fine, site);
     }
-    return pieces;
+    return components;
 }
 
 std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
@@ -137,10 +140,10 @@ std::vector<Shape> DrawnStrokes::of(const Strokes& strokes,
     const auto picture = std::ranges::find_if(
         pictures_, [&](const Picture& p) { return same(p.source, strokes.image); });
     std::vector<Shape> shapes;
-    for (const Piece& piece : picture->pieces) {
-        // A picture with a palette has its colours exactly.
-        if (strokes.colour && *strokes.colour != piece.colour) continue;
-        shapes.push_back(piece.shape);
+    for (const Component& component : picture->components) {
+        // A picture that was read with a palette has exactly its colours.
+        if (strokes.colour && *strokes.colour != component.colour) continue;
+        shapes.push_back(component.shape);
     }
     if (shapes.empty()) {
         throw bad_request("group '{}': no stroke of {} has its colour, {}", group,

@@ -8,14 +8,14 @@
 namespace cydonia::distance {
 namespace {
 
-constexpr Rgb8 kGround{28, 28, 28};  // on which generators shine
+constexpr Rgb8 kGround{28, 28, 28};  // the dark ground around the generators
 constexpr Rgb8 kNone{150, 150, 150};
 
 std::uint8_t byte_of(double share) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-// From black over red and yellow to white.
+// A colour scale from black over red and yellow to white.
 Rgb8 heat(double share) {
     return {byte_of(3.0 * share), byte_of(3.0 * share - 1.0), byte_of(3.0 * share - 2.0)};
 }
@@ -30,7 +30,7 @@ Rgb8 colour_of_profile(int profile) {
     return profile < 0 ? kNone : distinct_colour(profile);
 }
 
-// colour(node) at every sample.
+// A picture with colour(node) at every sample.
 template <class Colour>
 Field<Rgb8> picture_of(const Graph& graph, const Colour& colour) {
     Field<Rgb8> picture(graph.width, graph.height);
@@ -39,7 +39,7 @@ Field<Rgb8> picture_of(const Graph& graph, const Colour& colour) {
     return picture;
 }
 
-// A sample that is to be seen: three by three, more in a large picture.
+// Draws a sample so that it can be seen: three by three pixels, more in a large picture.
 void dot(const Graph& graph, int node, const Rgb8& colour, Field<Rgb8>& picture) {
     const int reach = std::max(1, std::max(graph.width, graph.height) / 512);
     const int x = graph.x_of(node), y = graph.y_of(node);
@@ -48,7 +48,7 @@ void dot(const Graph& graph, int node, const Rgb8& colour, Field<Rgb8>& picture)
             if (picture.contains(i, j)) picture(i, j) = colour;
 }
 
-// colour(feature, start) at every generator.
+// A picture with colour(feature, start) at every generator.
 template <class Colour>
 void dot_generators(const Ground& ground, const Colour& colour, Field<Rgb8>& picture) {
     for (int f = 0; f < ground.features.count(); ++f) {
@@ -58,7 +58,7 @@ void dot_generators(const Ground& ground, const Colour& colour, Field<Rgb8>& pic
     }
 }
 
-// A cell of comma-separated values.
+// A text as a cell of comma-separated values.
 std::string cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == text.npos) return text;
     std::string quoted = "\"";
@@ -68,7 +68,7 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
-// Hues a golden section apart; neighbours differ in brightness as well.
+// The hues are a golden section apart, and neighbours differ in brightness as well.
 Rgb8 distinct_colour(int number) {
     constexpr double kBright[] = {1.0, 0.72, 0.86};
     const double turn = 0.6180339887498949 * number;
@@ -160,7 +160,7 @@ void Explainer::finish() {
     sinks_.table("features", table_);
 }
 
-// Evenly among all, the first one among them.
+// The features shown are spread evenly among all and include the first.
 bool Explainer::shown(int feature) const {
     const int count = ground_.features.count();
     if (count <= kSearches) return true;
@@ -171,7 +171,8 @@ bool Explainer::shown(int feature) const {
 }
 
 int Explainer::halt_of(int node, float height) const {
-    const float land = approximate_[node];  // nothing is below land that it made itself
+    // A feature is never below land that it made itself.
+    const float land = approximate_[node];
     const bool below = height < land && halting_.far_below(height, land);
     return (halting_.at_sea(height) ? kSea : 0) | (below ? kBelow : 0);
 }

@@ -11,7 +11,7 @@
 
 namespace cydonia::distance {
 
-// Shows how a stage came to its land, as pictures of the graph's samples and a table:
+// Shows how a stage computed its land, as pictures of the graph's samples and a table:
 //   features, profiles, costs   of the generators
 //   approximate                 the field of steps 5 and 6
 //   search-<feature>            where a feature's pass went and why it halted (Rusnell
@@ -24,13 +24,14 @@ class Explainer {
   public:
     static constexpr int kSearches = 12;
 
-    // All outlive this. Shows the generators and the approximate field.
+    // Shows the generators and the approximate field. All arguments must outlive this
+    // object.
     Explainer(const Explain& sinks, const Options& options, const Ground& ground,
               const Halting& halting, const std::vector<float>& approximate);
 
-    // Step 7a of every feature, in their order.
+    // Receives step 7a of every feature, in the features' order.
     void pass(int feature, const Pass& pass);
-    // After the last.
+    // Must be called after the last pass.
     void finish();
 
   private:
@@ -53,10 +54,10 @@ class Explainer {
     std::string table_;
 };
 
-// Colours that tell neighbouring numbers apart.
+// A colour for a number; neighbouring numbers have colours that are easy to tell apart.
 Rgb8 distinct_colour(int number);
 
-// In figure 3.8's colours.
+// The colours of figure 3.8.
 inline constexpr Rgb8 kAtSea{40, 80, 220}, kFarBelow{214, 40, 40}, kBoth{30, 160, 60};
 inline constexpr Rgb8 kGenerator{0, 0, 0}, kSearched{236, 226, 196};
 inline constexpr Rgb8 kElsewhere{255, 255, 255};

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "field/error.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/costs.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/places.h"
 #include "synth/distance/ridges.h"
 #include "synth/distance/sides.h"
@@ -42,8 +42,8 @@ std::vector<Shape> shapes_of(const Group& group, const Site& site,
         group.where);
 }
 
-// Section 4.2.5: what the groups before cost under each feature, on the way to a
-// generator of theirs or at sea level.
+// Section 4.2.5: the approximate cost of the groups before under each feature, which is
+// at most that of sea level.
 class ApproximateCosts {
   public:
     ApproximateCosts(const std::vector<PlacedGroup>& before, const Site& site)
@@ -51,7 +51,7 @@ class ApproximateCosts {
         std::vector<int> all(before.size());
         std::iota(all.begin(), all.end(), 0);
         const Origins origins = origins_of(all, before, layout_);
-        paths_.spread(origins.starts, RawGrowth{origins.starts});
+        paths_.spread(origins.starts, RawCostModel{origins.starts});
         for (const PlacedGroup& group : before) {
             sea_level_ =
                 std::max(sea_level_, site.options.sea_level_scale * group.highest_cost());
@@ -60,7 +60,7 @@ class ApproximateCosts {
 
     double mean_under(const Shape& shape) const {
         double sum = 0.0;
-        for (const Place& place : shape.places) {
+        for (const SitePoint& place : shape.places) {
             const double cost = paths_[node_at(layout_, place.x, place.y)].cost;
             sum += std::min(cost, sea_level_);
         }
@@ -75,7 +75,7 @@ class ApproximateCosts {
 
 CostPattern::Reference reference_of(const Group& group, const Site& site,
                                     const std::vector<PlacedGroup>& before) {
-    // Made when asked for, by whichever part of a rule.
+    // Computed when a part of a rule first asks for it.
     const auto approximate = std::make_shared<std::unique_ptr<ApproximateCosts>>();
     return [&, approximate](const CostRule& rule, const Shape& shape) {
         const std::string asked = "group '" + group.name + "': share_of";
@@ -99,10 +99,10 @@ int profile_index(const Options& options, const std::string& name,
     return static_cast<int>(found - options.profiles.begin());
 }
 
-// The direction of a stroke is taken over this way.
+// The length of a stroke over which its direction is averaged.
 constexpr Length kDirectionReach = thesis_units(6.0);
 
-// Gathers starts: of one feature one a node, the least cost.
+// Collects starts: at each node one of each feature, with its least cost.
 class Gathering {
   public:
     explicit Gathering(const Site& site)
@@ -110,7 +110,7 @@ class Gathering {
 
     void add(const Shape& shape, const Features::Feature& feature) {
         const int first = result.first.back();
-        for (const Place& place : shape.land) {
+        for (const SitePoint& place : shape.land) {
             const int node = node_at(site_.graph, place.x, place.y);
             int& slot = slots_[node];
             if (slot >= first) {

@@ -11,7 +11,7 @@
 
 namespace cydonia::distance {
 
-// F and C_g: the generator nodes of every feature, feature by feature, group by group.
+// F and C_g: the generator nodes of all features, ordered by group and by feature.
 struct Features {
     struct Feature {
         int group = 0;        // in Options::groups
@@ -21,8 +21,8 @@ struct Features {
     std::vector<Start> starts;
     std::vector<int> first{0};      // of each feature in `starts`, and one past the last
     std::vector<Feature> features;  // one each
-    // Where a feature has two profiles: at each start a unit vector (east, south) into
-    // the side of `profile`. Empty when none has.
+    // For features with two profiles: a unit vector (east, south) at each start that
+    // points into the side of `profile`. Empty when no feature has two.
     std::vector<std::array<float, 2>> sides;
 
     int count() const { return static_cast<int>(features.size()); }
@@ -32,11 +32,11 @@ struct Features {
     }
 };
 
-// Rusnell 2009, section 3.3, step 2: the groups in their order, each placed, given costs,
-// then extended by its ridges. `graph` has the land's own nodes; `terrain` is the land so
-// far. Places and costs are the same on the ground at every resolution. Throws
-// bad_request, naming the group, for what contradicts itself or finds no place, and when
-// there is no feature.
+// Rusnell 2009, section 3.3, step 2: places the groups in their order, gives them costs
+// and extends them by their ridges. `graph` has the land's own nodes, and `terrain` is
+// the land so far. Places and costs are the same on the ground at every resolution.
+// Throws bad_request, naming the group, for options that contradict themselves or find no
+// place, and when there is no feature.
 Features features_of(const Options& options, const Graph& graph, const Terrain& terrain,
                      std::uint64_t seed);
 

@@ -15,14 +15,15 @@ namespace cydonia::distance {
 namespace {
 
 using Step = Graph::Offset;
-// East first, clockwise; the knight's moves of the 16-neighbourhood after.
+// From east, clockwise; then the knight's moves of the 16-neighbourhood.
 constexpr std::array<Step, 8> kForward{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {2, 1}, {1, 2}, {-1, 2}, {-2, 1}}};
 
 constexpr int kBandRows = 16;
 constexpr int kMaxSubdivision = 16;
 
-// A nearly normal number of variance 1 at a lattice point: the sum of four uniform ones.
+// A nearly normal random number of variance 1 at a lattice point: the sum of four uniform
+// ones.
 float lattice_normal(std::uint64_t row, std::int64_t x) {
     const std::uint64_t h = mix(row ^ static_cast<std::uint64_t>(x));
     const auto sum =
@@ -30,8 +31,9 @@ float lattice_normal(std::uint64_t row, std::int64_t x) {
     return (static_cast<float>(sum) - 131070.0f) * (1.7320508f / 65536.0f);
 }
 
-// 2 Phi(z) - 1, to 5e-4 (Abramowitz and Stegun 7.1.27): makes a normal number uniform in
-// [-1, 1]. Sums and products only, so that every processor gives the same bytes.
+// 2 Phi(z) - 1, within 5e-4 (Abramowitz and Stegun 7.1.27), which turns a normal number
+// into one that is uniform in [-1, 1]. It uses sums and products only, so that every
+// processor gives the same bytes.
 float uniform_from_normal(float z) {
     const float x = std::abs(z) * 0.70710678f;
     const float p =
@@ -42,9 +44,10 @@ float uniform_from_normal(float z) {
 
 float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
 
-// Normal numbers of variance 1 everywhere: value noise on a lattice turned against the
-// graph, so that its squares do not show, divided by its deviation at the point. Keeps
-// the lattice cell it was last asked about: neighbours in a row mostly share it.
+// Noise that is normal with variance 1 at every point: value noise on a lattice, divided
+// by its deviation at the point. The lattice is rotated against the graph so that its
+// squares do not show. The object keeps the last lattice cell because neighbours in a row
+// mostly share it.
 class NormalNoise {
   public:
     NormalNoise(double wavelength, std::uint64_t seed)
@@ -80,8 +83,9 @@ class NormalNoise {
     std::array<float, 4> corners_{};
 };
 
-// The random part of eq. 3.3 at a point: uniform in [-1, 1]; waves of `grain` metres and
-// ones twice as long from octave to octave, in equal parts.
+// The random part of eq. 3.3 at a point, uniform in [-1, 1]: the equally weighted sum of
+// octaves, the first with waves of `grain` metres and each further one with waves twice
+// as long.
 class GrainNoise {
   public:
     GrainNoise(double grain, int octaves, std::uint64_t seed)
@@ -148,7 +152,7 @@ Graph empty_graph(int width, int height, double spacing, const EdgeOptions& opti
     return graph;
 }
 
-// The random part on a grid `subdivision` times finer than the nodes, for some rows of
+// The random part on a grid `subdivision` times as fine as the nodes, for some rows of
 // nodes and the margin around them.
 struct Samples {
     Field<float> values;
@@ -172,7 +176,7 @@ struct Samples {
         }
     }
 
-    // The mean along the edge that leaves node (x, row) by `step`: trapezoid rule.
+    // The mean along the edge that leaves node (x, row) by `step`, by the trapezoid rule.
     float mean(int x, int row, Step step) const {
         const int x0 = (x + margin) * subdivision, y0 = row * subdivision;
         float sum = 0.5f * (values(x0, y0) +
@@ -184,7 +188,7 @@ struct Samples {
     }
 };
 
-// What the ends of an edge share: a map's value half way.
+// The mean of a map's values at the two ends of an edge.
 class MapValues {
   public:
     MapValues(const std::optional<Map>& map, double otherwise, const Graph& graph)
@@ -203,7 +207,7 @@ class MapValues {
     Field<float> values_;
 };
 
-// Metres that each direction's edge is counted as.
+// The length in metres that an edge of each direction counts as.
 std::array<float, 8> lengths_of(const Graph& graph, const EdgeOptions& options) {
     std::array<float, 8> lengths{};
     for (int d = 0; d < graph.directions / 2; ++d) {
@@ -214,10 +218,12 @@ std::array<float, 8> lengths_of(const Graph& graph, const EdgeOptions& options) 
     return lengths;
 }
 
-// An edge a billion times lighter than others would cost the queue that many buckets.
+// The least weight of an edge: one that is a billion times lighter than others would need
+// that many buckets of the queue.
 constexpr float kLightest = 1e-3f;  // of the mean
 
-// Calls weight(x, y, d) for every edge, by bands of rows; `band` is made once a band.
+// Calls weight(x, y, d) for every edge, in bands of rows. `band` is computed once for
+// each band.
 template <class Band>
 void weigh_edges(Graph& graph, const Band& band) {
     const int half = graph.directions / 2;
@@ -236,8 +242,8 @@ void weigh_edges(Graph& graph, const Band& band) {
     });
 }
 
-// Section 4.3.2. An edge has the mean of its ends, not the value of the one it leaves: it
-// costs the same both ways.
+// Section 4.3.2. An edge takes the mean of the values at its ends rather than the value
+// where it begins, so that it costs the same in both directions.
 void weigh_by_picture(Graph& graph, const EdgeOptions& options) {
     const MapValues values(options.weights, 0.0, graph);
     const std::array<float, 8> lengths = lengths_of(graph, options);

@@ -16,7 +16,8 @@ double sea_level_of(const Features& features, double scale) {
     return scale * highest;
 }
 
-// Generators at or above the cost of sea level emit nothing (notes.md, Rusnell 7).
+// Generators at or above the cost of sea level raise no land and are left out
+// (docs/papers.md, Rusnell 7).
 Features above_sea(const Features& features, double sea_level) {
     Features kept;
     for (int f = 0; f < features.count(); ++f) {
@@ -33,7 +34,7 @@ Features above_sea(const Features& features, double sea_level) {
     return kept;
 }
 
-// Raw edge weights as a profile, for features without one among others.
+// Raw edge weights as a profile, for features without a profile when others have one.
 Descent straight_descent(const Options& options, double sea_level, double width) {
     Profile straight;
     straight.curve.points = {{0.0, 1.0}, {1.0, 0.0}};
@@ -42,7 +43,7 @@ Descent straight_descent(const Options& options, double sea_level, double width)
                       options.minimum_scale, width);
 }
 
-// Step 4, and which profile each start and each region has.
+// Step 4, and the profile of each start and each region.
 Shapes shapes_of(const Options& options, const Graph& graph, const Features& features,
                  const Regions& regions, double sea_level, double width) {
     Shapes shapes{.sea_level = sea_level, .mean_edge_weight = options.mean_edge_weight};
@@ -70,7 +71,7 @@ Shapes shapes_of(const Options& options, const Graph& graph, const Features& fea
     }
     if (sides) lay_sides(shapes, graph, features.starts, features.sides);
     shapes.way_at = regions.profile_at;
-    for (const Region& region : options.regions) {
+    for (const RegionOptions& region : options.regions) {
         const auto at =
             std::ranges::find(options.profiles, region.profile, &Profile::name);
         if (at == options.profiles.end()) continue;

@@ -7,7 +7,7 @@
 
 namespace cydonia::distance {
 
-// Rusnell 2009, Algorithm 3, steps 1 to 4: all that the passes run over.
+// Rusnell 2009, Algorithm 3, steps 1 to 4: everything that the passes run over.
 struct Layout {
     Graph graph;
     Features features;  // without those at sea level, which emit nothing

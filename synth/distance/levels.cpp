@@ -6,14 +6,14 @@
 #include "field/error.h"
 #include "field/sample.h"
 #include "field/strokes.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/dijkstra.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/sources.h"
 
 namespace cydonia::distance {
 namespace {
 
-// Path cost from drawn strokes at the nodes of the layout.
+// The path cost from drawn strokes at the nodes of the layout.
 Field<float> costs_from(const Source& drawing, const Site& site) {
     const Field<Rgba8> cells = read_strokes(drawing, site.columns, site.rows);
     const Graph& layout = site.layout();
@@ -27,7 +27,7 @@ Field<float> costs_from(const Source& drawing, const Site& site) {
         }
     }
     LeastCost paths(layout);
-    paths.spread(starts, RawGrowth{starts});
+    paths.spread(starts, RawCostModel{starts});
     Field<float> costs(layout.width, layout.height);
     for (int y = 0; y < layout.height; ++y) {
         for (int x = 0; x < layout.width; ++x)
@@ -36,7 +36,7 @@ Field<float> costs_from(const Source& drawing, const Site& site) {
     return costs;
 }
 
-// The same at the land's nodes.
+// The same cost at the land's nodes.
 Field<float> on_land(const Field<float>& costs, const Site& site) {
     const Graph& land = site.graph;
     const double x_scale = 1.0 * costs.width() / land.width;
@@ -51,11 +51,11 @@ Field<float> on_land(const Field<float>& costs, const Site& site) {
     return result;
 }
 
-// The centres of the cells that `is_in` takes.
+// The centres of the cells for which `is_in` is true.
 template <class IsIn>
-std::vector<Place> cells_where(const Field<float>& costs, const Graph& graph,
-                               const Site& site, float cost, const IsIn& is_in) {
-    std::vector<Place> places;
+std::vector<SitePoint> cells_where(const Field<float>& costs, const Graph& graph,
+                                   const Site& site, float cost, const IsIn& is_in) {
+    std::vector<SitePoint> places;
     for (int y = 0; y < costs.height(); ++y) {
         for (int x = 0; x < costs.width(); ++x) {
             if (!is_in(costs, x, y)) continue;
@@ -68,11 +68,11 @@ std::vector<Place> cells_where(const Field<float>& costs, const Graph& graph,
 }
 
 void link_to_nearest(Shape& shape) {
-    PlaceIndex index(2.0 * shape.pitch);
+    PointIndex index(2.0 * shape.pitch);
     for (std::size_t i = 0; i < shape.places.size(); ++i) {
         index.add(shape.places[i].x, shape.places[i].y, static_cast<int>(i));
     }
-    for (Place& place : shape.land) {
+    for (SitePoint& place : shape.land) {
         double least = 1e300;
         index.within(place.x, place.y, 4.0 * shape.pitch, [&](int name, double square) {
             if (square < least) {
@@ -84,7 +84,8 @@ void link_to_nearest(Shape& shape) {
     }
 }
 
-// What `is_in` takes of the path costs, on the layout and on the land.
+// The shape of the cells whose path cost satisfies `is_in`, on the layout and on the
+// land.
 template <class IsIn>
 Shape shape_where(const Field<float>& costs, const Field<float>& land, const Site& site,
                   float cost, const IsIn& is_in) {
@@ -97,7 +98,7 @@ Shape shape_where(const Field<float>& costs, const Field<float>& land, const Sit
 
 void check(const Terraces& terraces, const std::string& group, double width) {
     if (terraces.levels.empty()) {
-        throw bad_request("group '{}': terraces without a level", group);
+        throw bad_request("group '{}': its terraces have no level; add one", group);
     }
     for (std::size_t i = 0; i < terraces.levels.size(); ++i) {
         const auto [low, high] = terraces.levels[i].range;
@@ -150,7 +151,7 @@ std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Sit
         throw bad_request("group '{}': distance is {} m: it must be above 0", group,
                           distance);
     }
-    // A path over mean edge weights costs mu_w for every metre.
+    // A path over mean edge weights costs mu_w a metre.
     const double cost = distance * site.options.mean_edge_weight;
     const auto is_in = [&](const Field<float>& at, int x, int y) {
         const auto beyond = [&](int i, int j) {

@@ -13,7 +13,7 @@
 
 namespace cydonia::distance {
 
-// Pictures: what is drawn (dark on light or transparent ground) is meant. They are
+// In pictures, what is drawn dark on light or transparent ground counts. They are
 // stretched over the terrain.
 
 // A drawn curve: a dark line in a picture (figure 3.2; an SVG is drawn 512 pixels wide),
@@ -43,7 +43,7 @@ struct Profile {
     double detail = 0.0;
 };
 
-// C_g(n), the cost of a generator: how far below the highest possible ground it starts.
+// C_g(n), the cost of a generator: its depth below the highest possible ground.
 struct CostRule {
     enum class Kind {
         kNoise,     // fBm or ridged multifractal, its least over the land at 0
@@ -66,18 +66,19 @@ struct CostRule {
     std::vector<CostRule> of;
     bool inverted = false;  // greatest and least change places
 
-    // The cost where the rule is least and where it is greatest: absolute, or (eq. 4.1)
-    // shares of a reference. With neither: noise and terrain as they are, others from 0
-    // to 20 thesis units.
+    // The costs where the rule is least and where it is greatest: absolute, or as shares
+    // of a reference (eq. 4.1). With neither, noise and terrain are used as they are, and
+    // other rules go from 0 to 20 thesis units.
     std::optional<std::array<Length, 2>> range;
     std::optional<std::array<double, 2>> share;
-    // Empty: the rule's own greatest cost. A group before: its greatest cost.
-    // "approximate": the mean approximate cost under the stroke (section 4.2.5).
+    // The reference: the rule's own greatest cost when this is empty, the greatest cost
+    // of a group before, or with "approximate" the mean approximate cost under the stroke
+    // (section 4.2.5).
     std::string share_of;
     Length less;  // taken off that reference
 };
 
-// Where random features may be.
+// Where random features may lie.
 struct Placement {
     int count = 0;
     std::optional<double> density;   // features a square kilometre, instead of a count
@@ -90,13 +91,13 @@ struct Placement {
     std::vector<Away> away;
 };
 
-// F: where the features of a group are; one of these.
+// F: where the features of a group are. A group has one of the following.
 
-// Painted or drawn: each connected piece of a colour is one feature.
+// Painted or drawn strokes: each connected component of a colour is one feature.
 struct Strokes {
     Source image;
-    // Only what has this colour; every colour of the picture needs a group. Without:
-    // everything drawn.
+    // With a colour only strokes of that colour, and every colour of the picture needs a
+    // group. Without one, everything that is drawn.
     std::optional<std::array<std::uint8_t, 3>> colour;
 };
 // Random single nodes.
@@ -114,8 +115,8 @@ struct Edges {
     Source image;
     double threshold = 0.5;  // t_g, from the least gradient to the greatest
 };
-// Regions of path cost from drawn strokes, as shares of the greatest (A.2.8): one feature
-// a level, level by level from the one farthest from the strokes.
+// Levels of path cost from drawn strokes, as shares of the greatest (A.2.8). Each level
+// is one feature; the first is farthest from the strokes.
 struct Terraces {
     Source image;
     struct Level {
@@ -151,8 +152,8 @@ struct Group {
     Ridges ridges;
 };
 
-// A part of the land with rules of its own. Where two overlap the later one holds.
-struct Region {
+// A part of the land with rules of its own. Where two overlap, the later one holds.
+struct RegionOptions {
     std::optional<Source> image;  // drawn, or
     std::string inside;           // what the closed strokes of this group enclose
     std::string profile;          // the one profile that holds there; empty: each its own
@@ -160,8 +161,8 @@ struct Region {
     Length feather = thesis_units(3.0);  // over which the others fade out, inwards
 };
 
-// A sea or lake (section 6.2): the land comes down to its drawn shore and goes on
-// beneath.
+// A sea or lake (section 6.2): the land falls to its drawn shore and continues beneath
+// the water.
 struct Water {
     Source image;                           // drawn
     std::optional<Length> level{Length{}};  // of the surface above 0; none: the lowest
@@ -171,17 +172,17 @@ struct Water {
     double shore_slope = 0.5;               // the steepest that the land rises from it
 };
 
-// A number that varies over the land: grey of a picture, black to white.
+// A number that varies over the land with the grey of a picture, from black to white.
 struct Map {
     Source image;
     std::array<double, 2> range{0.0, 1.0};
 };
 
-// Rusnell 2009, table 3.1. Lengths and costs: notes.md, Rusnell 1.
+// Rusnell 2009, table 3.1. Lengths and costs: docs/papers.md, Rusnell 1.
 struct Options {
     std::vector<Group> groups;      // F, C_g
     std::vector<Profile> profiles;  // P
-    std::vector<Region> regions;
+    std::vector<RegionOptions> regions;
     std::vector<Water> water;
 
     double mean_edge_weight = 2.0;            // mu_w, cost per length: a slope

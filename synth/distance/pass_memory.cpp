@@ -2,33 +2,15 @@
 
 #include <xxhash.h>
 
-#include <cstring>
 #include <type_traits>
+
+#include "field/archive.h"
 
 namespace cydonia::distance {
 namespace {
 
-constexpr std::string_view kMagic = "cydonia passes 2\n";
+constexpr std::string_view kKind = "cydonia passes 3\n";
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-
-template <class T>
-void append(std::string& to, const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    to.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-template <class T>
-void append_all(std::string& to, const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    to.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-}
-
-template <class T>
-T value_at(std::string_view bytes, std::size_t place) {
-    T value;
-    std::memcpy(&value, bytes.data() + place, sizeof value);
-    return value;
-}
 
 class Hash {
   public:
@@ -52,10 +34,7 @@ class Hash {
     std::uint64_t state_ = 0;
 };
 
-// Magic, key of the ground, checksum of what follows.
-constexpr std::size_t kHead = kMagic.size() + 2 * sizeof(std::uint64_t);
-
-// What all passes depend on.
+// A hash of everything that all passes depend on.
 std::uint64_t key_of_ground(const Ground& ground, const Halting& halting) {
     Hash hash;
     const Graph& graph = ground.graph;
@@ -74,42 +53,30 @@ std::uint64_t key_of_ground(const Ground& ground, const Halting& halting) {
     return hash.result();
 }
 
-// A feature's record: key, count, then its nodes - whether the pass went on there in the
-// lowest bit - and its labels.
-constexpr std::size_t kRecordHead = sizeof(std::uint64_t) + sizeof(std::uint32_t);
-constexpr std::size_t kBytesANode = sizeof(std::uint32_t) + sizeof(Label);
-
 }  // namespace
 
+// The archive is the key of the ground, then for each feature its key and its record.
 PassMemory::PassMemory(const Ground& ground, const Halting& halting, std::string bytes)
     : ground_(ground),
       halting_(halting),
       ground_key_(key_of_ground(ground, halting)),
-      known_bytes_(std::move(bytes)),
-      kept_(kMagic) {
-    append(kept_, ground_key_);
-    append(kept_, std::uint64_t{0});
-    index_known();
+      known_bytes_(std::move(bytes)) {
+    if (const auto body = unsealed(known_bytes_, kKind)) index_known(*body);
+    ArchiveWriter(kept_).value(ground_key_);
 }
 
-void PassMemory::index_known() {
-    std::string_view left = known_bytes_;
-    if (!left.starts_with(kMagic)) return;
-    left.remove_prefix(kMagic.size());
-    if (left.size() < 2 * sizeof(std::uint64_t)) return;
-    const auto ground = value_at<std::uint64_t>(left, 0);
-    const auto checksum = value_at<std::uint64_t>(left, sizeof ground);
-    left.remove_prefix(2 * sizeof(std::uint64_t));
-    if (ground != ground_key_ || checksum != XXH3_64bits(left.data(), left.size()))
-        return;
-    while (left.size() >= kRecordHead) {
-        const std::size_t size =
-            kRecordHead +
-            kBytesANode * value_at<std::uint32_t>(left, sizeof(std::uint64_t));
-        if (left.size() < size) return;
-        known_.emplace(value_at<std::uint64_t>(left, 0), left.substr(0, size));
-        left.remove_prefix(size);
-    }
+void PassMemory::index_known(std::string_view body) {
+    using Records = std::map<std::uint64_t, std::string_view>;
+    const auto records = read_back(body, [&](ArchiveReader& in) {
+        ArchiveReader::expect(in.value<std::uint64_t>() == ground_key_);
+        Records known;
+        while (!in.at_end()) {
+            const auto key = in.value<std::uint64_t>();
+            known.emplace(key, in.text_view());
+        }
+        return known;
+    });
+    known_ = records.value_or(Records{});
 }
 
 std::uint64_t PassMemory::key_of(int feature) const {
@@ -128,7 +95,7 @@ std::uint64_t PassMemory::key_of(int feature) const {
     return hash.result();
 }
 
-// The sides that the feature's own strokes give the nodes beside them.
+// The sides that the feature's own strokes give to the nodes beside them.
 std::vector<std::uint8_t> PassMemory::own_sides(int feature) const {
     constexpr std::uint8_t kNone = 2;
     const Graph& graph = ground_.graph;
@@ -148,31 +115,31 @@ std::vector<std::uint8_t> PassMemory::own_sides(int feature) const {
     return sides;
 }
 
+// A record holds the nodes of a pass, each with whether the pass went on there in its
+// lowest bit, and their labels.
 std::optional<LeastCost::Trace> PassMemory::trace_of(int feature) const {
     const auto record = known_.find(key_of(feature));
     if (record == known_.end()) return std::nullopt;
-    const std::string_view bytes = record->second.substr(kRecordHead);
-    const std::size_t count = bytes.size() / kBytesANode;
-    LeastCost::Trace trace{std::vector<int>(count), std::vector<Label>(count),
-                           std::vector<std::uint8_t>(count)};
-    std::memcpy(trace.labels.data(), bytes.data() + count * sizeof(std::uint32_t),
-                count * sizeof(Label));
     const Graph& graph = ground_.graph;
     const int first = graph.node(0, 0);
     const int last = graph.node(graph.width - 1, graph.height - 1);
     const std::size_t starts = ground_.features.of(feature).size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto word = value_at<std::uint32_t>(bytes, i * sizeof(std::uint32_t));
-        trace.nodes[i] = static_cast<int>(word >> 1);
-        trace.expanded[i] = word & 1;
-        const Label& label = trace.labels[i];
-        const bool sound =
-            trace.nodes[i] >= first && trace.nodes[i] <= last &&
-            static_cast<std::size_t>(label.origin) < starts &&
-            (label.direction == Label::kStart || label.direction < graph.directions);
-        if (!sound) return std::nullopt;
-    }
-    return trace;
+    return read_back(record->second, [&](ArchiveReader& in) {
+        LeastCost::Trace trace;
+        for (const std::uint32_t word : in.vector<std::uint32_t>()) {
+            trace.nodes.push_back(static_cast<int>(word >> 1));
+            trace.expanded.push_back(word & 1);
+        }
+        trace.labels = in.vector<Label>();
+        ArchiveReader::expect(trace.labels.size() == trace.nodes.size());
+        for (const int node : trace.nodes)
+            ArchiveReader::expect(node >= first && node <= last);
+        for (const Label& label : trace.labels)
+            ArchiveReader::expect(
+                static_cast<std::size_t>(label.origin) < starts &&
+                (label.direction == Label::kStart || label.direction < graph.directions));
+        return trace;
+    });
 }
 
 std::optional<Pass> PassMemory::recalled(int feature, std::span<const float> approximate,
@@ -195,27 +162,28 @@ std::optional<Pass> PassMemory::recalled(int feature, std::span<const float> app
 
 void PassMemory::keep(int feature, const Pass& pass, std::span<const float> approximate) {
     const std::size_t count = pass.nodes.size();
-    overflowed_ = overflowed_ || kept_.size() + count * kBytesANode > kMostBytes;
+    const std::size_t bytes = count * (sizeof(std::uint32_t) + sizeof(Label));
+    overflowed_ = overflowed_ || kept_.size() + bytes > kMostBytes;
     if (overflowed_) {
         kept_ = {};
         return;
     }
-    append(kept_, key_of(feature));
-    append(kept_, static_cast<std::uint32_t>(count));
+    std::vector<std::uint32_t> words(count);
     for (std::size_t i = 0; i < count; ++i) {
         const int node = pass.nodes[i];
         const bool goes_on = halting_.goes_on(pass.heights[i], approximate[node]);
-        append(kept_, static_cast<std::uint32_t>(node) << 1 | (goes_on ? 1u : 0u));
+        words[i] = static_cast<std::uint32_t>(node) << 1 | (goes_on ? 1u : 0u);
     }
-    append_all(kept_, pass.labels);
+    ArchiveWriter out(kept_);
+    out.value(key_of(feature));
+    out.text(archive_of([&](ArchiveWriter& record) {
+        record.vector(words);
+        record.vector(pass.labels);
+    }));
 }
 
 std::string PassMemory::taken_bytes() {
-    if (overflowed_) return {};
-    const std::string_view records = std::string_view(kept_).substr(kHead);
-    const std::uint64_t checksum = XXH3_64bits(records.data(), records.size());
-    std::memcpy(kept_.data() + kHead - sizeof checksum, &checksum, sizeof checksum);
-    return std::move(kept_);
+    return overflowed_ ? std::string() : sealed(kKind, std::move(kept_));
 }
 
 }  // namespace cydonia::distance

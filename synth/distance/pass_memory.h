@@ -11,27 +11,28 @@
 
 namespace cydonia::distance {
 
-// The passes of a run, kept for the next: a stroke that changes then costs little more
-// than itself. A feature's pass is the same again when nothing under it changed - edges,
-// profiles, sea level, thresholds, its own generators - but where it goes on now and
-// stopped then or the other way round, which is mended. (Rusnell 2009, section 6.2,
+// Keeps the passes of a run for the next one, so that after a stroke has changed little
+// more than that stroke's own passes is computed. The pass of a feature is the same again
+// when nothing that it depends on has changed: edges, profiles, sea level, thresholds and
+// its own generators. Where it goes on now and stopped before, or the other way round, it
+// is corrected. (Rusnell 2009, section 6.2,
 // iterative refinement.)
 class PassMemory {
   public:
-    // `bytes` of an earlier run, or none; those that are damaged or of another ground
-    // count as none.
+    // `bytes` come from taken_bytes() of an earlier run, or are empty. Bytes that are
+    // damaged or of another ground are ignored.
     PassMemory(const Ground& ground, const Halting& halting, std::string bytes);
 
-    // The pass that pass_of() would find, if it is known. Thread-safe.
+    // The pass that pass_of() would find, when it is known. Thread-safe.
     std::optional<Pass> recalled(int feature, std::span<const float> approximate,
                                  LeastCost& paths) const;
-    // In the order of features; of passes with labels.
+    // Keeps a pass with labels. To be called in the order of the features.
     void keep(int feature, const Pass& pass, std::span<const float> approximate);
-    // What was kept, for the next run; empty when it was too much. Once.
+    // The bytes for the next run; empty when they would be too many. To be called once.
     std::string taken_bytes();
 
   private:
-    void index_known();
+    void index_known(std::string_view body);
     std::uint64_t key_of(int feature) const;
     std::vector<std::uint8_t> own_sides(int feature) const;
     std::optional<LeastCost::Trace> trace_of(int feature) const;

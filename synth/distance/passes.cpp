@@ -9,22 +9,24 @@
 namespace cydonia::distance {
 namespace {
 
-// Calls use(growth) with the growth of cost from some of the starts: `first` on.
+// Calls use(model) with the cost model of some of the starts, which begin at index
+// `first`.
 template <class Use>
-void with_growth(const Ground& ground, std::span<const Start> starts, int first,
-                 const Use& use) {
+void with_cost_model(const Ground& ground, std::span<const Start> starts, int first,
+                     const Use& use) {
     const Shapes& shapes = ground.shapes;
-    if (shapes.raw()) return use(RawGrowth{starts});
-    if (shapes.plain()) return use(ProfileGrowth(shapes, starts, first));
-    use(ChangingGrowth(shapes, starts, first));
+    if (shapes.raw()) return use(RawCostModel{starts});
+    if (shapes.plain()) return use(ProfileCostModel(shapes, starts, first));
+    use(ChangingCostModel(shapes, starts, first));
 }
 
-// The starts of some groups, a bit each, as a ground of their own.
+// The starts of some groups as a ground of their own.
 struct Part {
     Features features;
     Shapes shapes;
 };
 
+// `groups` has a bit for each group that is in the part.
 Part part_of(const Ground& ground, std::uint64_t groups) {
     Part part{{}, ground.shapes};
     part.shapes.ways.clear();
@@ -48,14 +50,14 @@ Part part_of(const Ground& ground, std::uint64_t groups) {
 
 void spread_all(const Ground& ground, const Halting& halting, LeastCost& paths) {
     const std::span<const Start> starts = ground.features.starts;
-    with_growth(ground, starts, 0, [&](const auto& growth) {
-        paths.spread(starts, growth, [&](int, float cost) {
+    with_cost_model(ground, starts, 0, [&](const auto& model) {
+        paths.spread(starts, model, [&](int, float cost) {
             return !halting.at_sea(height_of(cost, ground.shapes));
         });
     });
 }
 
-// Where a feature's own pass goes on.
+// Tells where a feature's own pass goes on.
 struct Expand {
     const Ground& ground;
     const Halting& halting;
@@ -106,9 +108,10 @@ std::vector<float> approximate_heights(const Ground& ground, const Halting& halt
 Pass pass_of(int feature, const Ground& ground, const Halting& halting,
              std::span<const float> approximate, LeastCost& paths, Keep keep) {
     const std::span<const Start> starts = ground.features.of(feature);
-    with_growth(ground, starts, ground.features.first[feature], [&](const auto& growth) {
-        paths.spread(starts, growth, Expand{ground, halting, approximate});
-    });
+    with_cost_model(ground, starts, ground.features.first[feature],
+                    [&](const auto& model) {
+                        paths.spread(starts, model, Expand{ground, halting, approximate});
+                    });
     return settled_by(paths, ground, keep, paths.settled().size());
 }
 
@@ -117,9 +120,11 @@ Pass pass_again(int feature, const Ground& ground, const Halting& halting,
                 LeastCost& paths) {
     const std::span<const Start> starts = ground.features.of(feature);
     std::optional<std::size_t> settled;
-    with_growth(ground, starts, ground.features.first[feature], [&](const auto& growth) {
-        settled = paths.spread_again(trace, growth, Expand{ground, halting, approximate});
-    });
+    with_cost_model(
+        ground, starts, ground.features.first[feature], [&](const auto& model) {
+            settled =
+                paths.spread_again(trace, model, Expand{ground, halting, approximate});
+        });
     if (settled) return settled_by(paths, ground, Keep::kLabels, *settled);
     return pass_of(feature, ground, halting, approximate, paths, Keep::kLabels);
 }

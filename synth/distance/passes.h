@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "synth/distance/cost_model.h"
 #include "synth/distance/features.h"
-#include "synth/distance/growth.h"
 #include "synth/distance/regions.h"
 
 namespace cydonia::distance {
 
-// Everything that passes run over. All starts cost less than sea level.
+// Everything that passes run over. All starts must cost less than sea level.
 struct Ground {
     const Graph& graph;
     const Features& features;
@@ -18,7 +18,7 @@ struct Ground {
     const Regions& regions;
 };
 
-// Where a feature's pass ends, as heights (notes.md, Rusnell 5).
+// The heights at which a feature's pass ends (docs/papers.md, Rusnell 5).
 struct Halting {
     float sea_level_threshold = 5.0f;     // epsilon_s, metres
     float approximate_threshold = 0.05f;  // p_f
@@ -32,16 +32,17 @@ struct Halting {
     }
 };
 
-// Rusnell 2009, eq. 3.2: metres above sea level; not below it.
+// Rusnell 2009, eq. 3.2: the height above sea level in metres, at least 0.
 inline float height_of(float cost, const Shapes& shapes) {
     return std::max(0.0f, static_cast<float>(shapes.sea_level) - cost);
 }
 
-// Rusnell 2009, Algorithm 3, steps 5 and 6: the height of the highest feature by node, 0
-// where none comes. Where a region is open to some groups only, those alone.
+// Rusnell 2009, Algorithm 3, steps 5 and 6: the height of the highest feature at each
+// node, 0 where none reaches. In a region that is open to some groups only, the highest
+// of those.
 std::vector<float> approximate_heights(const Ground& ground, const Halting& halting);
 
-// What a feature's own pass reached; every node comes after those of its path.
+// The nodes that a feature's own pass reached. Every node comes after those of its path.
 struct Pass {
     std::vector<int> nodes;
     std::vector<float> heights;
@@ -51,13 +52,13 @@ struct Pass {
 
 enum class Keep { kHeights, kLabels };
 
-// Step 7a.
+// Step 7a: the pass of one feature.
 Pass pass_of(int feature, const Ground& ground, const Halting& halting,
              std::span<const float> approximate, LeastCost& paths,
              Keep keep = Keep::kHeights);
 
-// The same with labels, from what the pass left behind when the approximate heights were
-// others.
+// The same with labels, starting from the trace of the pass over other approximate
+// heights.
 Pass pass_again(int feature, const Ground& ground, const Halting& halting,
                 std::span<const float> approximate, const LeastCost::Trace& trace,
                 LeastCost& paths);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kTries = 1000;  // of a feature
 
 void check_memory(double count, const std::string& name) {
-    const double needed = count * (sizeof(Shape) + 4.0 * sizeof(Place));
+    const double needed = count * (sizeof(Shape) + 4.0 * sizeof(SitePoint));
     const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                            static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (needed > present) {
@@ -58,7 +58,7 @@ double distance_in(const Length& length, const Site& site, const std::string& na
     return metres;
 }
 
-// What a place must be clear of.
+// Tells whether a place is clear of what it must keep away from.
 class Room {
   public:
     Room(const Placement& placement, const std::string& name, const Site& site,
@@ -74,15 +74,15 @@ class Room {
             const double distance =
                 distance_in(away.distance, site, name, "away.distance");
             Others& others =
-                others_.emplace_back(distance, PlaceIndex(std::max(distance, 1.0)));
+                others_.emplace_back(distance, PointIndex(std::max(distance, 1.0)));
             const std::string asked = "group '" + name + "': away.from";
             for (const Shape& shape : group_before(before, away.from, asked).shapes) {
-                for (const Place& p : shape.places) others.places.add(p.x, p.y, 0);
+                for (const SitePoint& p : shape.places) others.places.add(p.x, p.y, 0);
             }
         }
     }
 
-    // `chance` in [0, 1) decides where the picture is grey.
+    // Where the picture is grey, `chance` in [0, 1) decides.
     bool has(double x, double y, double chance) const {
         if (!light_.empty() && chance >= light_at(x, y)) return false;
         if (apart_ > 0.0 && own_.any_within(x, y, apart_)) return false;
@@ -95,7 +95,7 @@ class Room {
   private:
     struct Others {
         double distance;
-        PlaceIndex places;
+        PointIndex places;
     };
 
     float light_at(double x, double y) const {
@@ -106,7 +106,7 @@ class Room {
     const Site& site_;
     double apart_;
     Field<float> light_;
-    PlaceIndex own_;
+    PointIndex own_;
     std::vector<Others> others_;
 };
 
@@ -115,7 +115,8 @@ class Room {
 double PlacedGroup::highest_cost() const {
     float highest = 0.0f;
     for (const Shape& shape : shapes) {
-        for (const Place& place : shape.places) highest = std::max(highest, place.cost);
+        for (const SitePoint& place : shape.places)
+            highest = std::max(highest, place.cost);
     }
     return highest;
 }
@@ -130,12 +131,12 @@ const PlacedGroup& group_before(const std::vector<PlacedGroup>& before,
     return *found;
 }
 
-std::vector<Place> random_places(const Placement& placement, const std::string& name,
-                                 const Site& site,
-                                 const std::vector<PlacedGroup>& before) {
+std::vector<SitePoint> random_places(const Placement& placement, const std::string& name,
+                                     const Site& site,
+                                     const std::vector<PlacedGroup>& before) {
     const int count = count_of(placement, name, site);
     Room room(placement, name, site, before);
-    std::vector<Place> places;
+    std::vector<SitePoint> places;
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < kTries && static_cast<int>(places.size()) == i; ++k) {
             const std::uint64_t h =

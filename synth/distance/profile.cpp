@@ -35,8 +35,9 @@ void check(const Profile& profile) {
     }
 }
 
-// From 0 in metres, the cost from 0 to sea level, strictly increasing: of points at the
-// same cost the first stays, which averages the slope over their run.
+// The points with distance in metres from 0 and cost from 0 to sea level, strictly
+// increasing. Of points with the same cost the first stays, which averages the slope over
+// their run.
 std::vector<CostPoint> cost_line(const std::vector<CurvePoint>& falling, double reach,
                                  double sea_level) {
     const CurvePoint top = falling.front(), foot = falling.back();
@@ -49,8 +50,8 @@ std::vector<CostPoint> cost_line(const std::vector<CurvePoint>& falling, double 
     return line;
 }
 
-// The rule of min{t_s}: slopes too flat to leave are interpolated, linearly in cost, from
-// the nearest steep enough ones.
+// The rule of min{t_s}: slopes that are too flat are interpolated, linearly in cost, from
+// the nearest ones that are steep enough.
 std::vector<double> slopes_of(const std::vector<CostPoint>& line, double least) {
     const std::size_t n = line.size() - 1;
     std::vector<double> slopes(n), middles(n);
@@ -87,7 +88,7 @@ Descent descent_of(const Profile& profile, double sea_level, double mean_edge_we
     check(profile);
     const std::vector<CurvePoint> falling =
         falling_points_of(profile.curve, name_of(profile));
-    // notes.md, Rusnell 3: one pixel, or unit of x, is one cell of the thesis.
+    // docs/papers.md, Rusnell 3: one pixel, or unit of x, is one cell of the thesis.
     const double units = falling.back().x - falling.front().x;
     const double reach = profile.reach.value_or(thesis_units(units)).in(width);
     if (!(reach > 0.0)) {

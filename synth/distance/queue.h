@@ -9,11 +9,10 @@
 namespace cydonia::distance {
 
 // A monotone priority queue of (cost, node) by buckets of a key (Dial 1969; Denardo and
-// Fox 1979): what lies in one bucket comes in the order in which it was put there. Exact
-// for Dijkstra's algorithm when no edge is shorter than a bucket is wide, for then
-// nothing in a bucket can improve anything else in it. The buckets in use form a ring,
-// small enough to stay in the processor's cache; what lies beyond the ring waits in a
-// heap.
+// Fox 1979). The entries of a bucket come in the order in which they were pushed. This is
+// exact for Dijkstra's algorithm when no edge is shorter than a bucket is wide, because
+// then no entry of a bucket can improve another one in it. The buckets in use form a ring
+// that is small enough for the processor's cache; entries beyond the ring wait in a heap.
 class BucketQueue {
   public:
     struct Entry {
@@ -21,11 +20,11 @@ class BucketQueue {
         int node;
     };
 
-    // An empty queue, whose buckets are `width` wide from key 0 on.
+    // Prepares an empty queue whose buckets are `width` wide and begin at key 0.
     void reset(float width) { per_key_ = 1.0f / width; }
 
     void push(float key, float cost, int node) {
-        // Rounding must not put an edge's end into the bucket of its beginning.
+        // Rounding must not put the end of an edge into the bucket of its beginning.
         const auto bucket = std::max(static_cast<std::int64_t>(key * per_key_), next_);
         if (bucket - next_ < kReach) {
             put(bucket, {cost, node});
@@ -35,9 +34,9 @@ class BucketQueue {
         }
     }
 
-    // Calls visit(entry, upcoming) for every entry, bucket by bucket, also for those
-    // pushed meanwhile; `upcoming` comes a few entries later, or again. Leaves the queue
-    // empty.
+    // Calls visit(entry, upcoming) for every entry, bucket by bucket, including those
+    // pushed meanwhile, and leaves the queue empty. `upcoming` is an entry that comes a
+    // few entries later, or the last one of the bucket.
     template <class Visit>
     void drain(const Visit& visit) {
         next_ = 0;
@@ -74,8 +73,8 @@ class BucketQueue {
         occupied_[slot(bucket) / 64] |= std::uint64_t{1} << (slot(bucket) % 64);
     }
 
-    // The first bucket from next_ on that has entries, taken off the list of such; -1
-    // when none is left.
+    // The first bucket from next_ on that has entries, which it unmarks; -1 when none is
+    // left.
     std::int64_t first() {
         const std::size_t from = slot(next_);
         for (std::size_t i = 0; i <= kRing / 64; ++i) {

@@ -5,28 +5,29 @@
 #include <algorithm>
 
 #include "field/cells_inside.h"
+#include "field/enclosed.h"
 #include "field/error.h"
 #include "field/strokes.h"
 
 namespace cydonia::distance {
 namespace {
 
-// 1 where drawn: grey, so that soft edges stay soft.
+// A mask that is 1 where the image is drawn. It is grey, so that soft edges stay soft.
 Field<float> drawn(const Source& image, const Graph& graph) {
     Field<float> mask = read_grey_at(image, graph.width, graph.height);
     for (float& value : mask) value = 1.0f - value;
     return mask;
 }
 
-// Distance in cells from outside; 0 there.
+// The distance in cells from the outside, where it is 0.
 Field<float> depth_inside(const Field<float>& mask) {
     Field<std::uint8_t> inside(mask.width(), mask.height());
     std::ranges::transform(mask, inside.begin(), [](float m) { return m >= 0.5f; });
     return cells_inside(inside, true);
 }
 
-Field<float> mask_of(const Region& region, const Options& options, const Graph& graph,
-                     const Features& features) {
+Field<float> mask_of(const RegionOptions& region, const Options& options,
+                     const Graph& graph, const Features& features) {
     if (region.image) return drawn(*region.image, graph);
     const auto group = std::ranges::find(options.groups, region.inside, &Group::name);
     const Field<std::uint8_t> inside =
@@ -53,8 +54,8 @@ std::uint64_t groups_named(const std::vector<std::string>& names,
     return bits;
 }
 
-void close_to_others(Regions& regions, const Region& region, const Field<float>& mask,
-                     std::uint8_t index, const Graph& graph) {
+void close_to_others(Regions& regions, const RegionOptions& region,
+                     const Field<float>& mask, std::uint8_t index, const Graph& graph) {
     const double width = graph.width * graph.spacing;
     const auto feather =
         static_cast<float>(std::max(region.feather.in(width) / graph.spacing, 1.0));
@@ -75,7 +76,7 @@ Regions regions_of(const Options& options, const Graph& graph, const Features& f
     Regions regions;
     const auto nodes = static_cast<std::size_t>(graph.nodes());
     for (std::size_t i = 0; i < options.regions.size(); ++i) {
-        const Region& region = options.regions[i];
+        const RegionOptions& region = options.regions[i];
         const Field<float> mask = mask_of(region, options, graph, features);
         if (!region.profile.empty()) {
             regions.profile_at.resize(nodes, Regions::kFree);
@@ -99,33 +100,14 @@ Regions regions_of(const Options& options, const Graph& graph, const Features& f
 }
 
 Field<std::uint8_t> enclosed(const Graph& graph, const Features& features, int group) {
-    // What the outside reaches, edge to edge, without crossing a stroke is not enclosed.
-    constexpr std::uint8_t kStroke = 2;
-    Field<std::uint8_t> inside(graph.width + 2, graph.height + 2, 1);
+    Field<std::uint8_t> strokes(graph.width, graph.height);
     for (int f = 0; f < features.count(); ++f) {
         if (features.features[f].group != group) continue;
         for (const Start& start : features.of(f)) {
-            inside(graph.x_of(start.node) + 1, graph.y_of(start.node) + 1) = kStroke;
+            strokes(graph.x_of(start.node), graph.y_of(start.node)) = 1;
         }
     }
-    std::vector<int> reached{0};
-    inside[0] = 0;
-    while (!reached.empty()) {
-        const int x = reached.back() % inside.width();
-        const int y = reached.back() / inside.width();
-        reached.pop_back();
-        for (const auto& [nx, ny] :
-             {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
-            if (!inside.contains(nx, ny) || inside(nx, ny) != 1) continue;
-            inside(nx, ny) = 0;
-            reached.push_back(ny * inside.width() + nx);
-        }
-    }
-    Field<std::uint8_t> result(graph.width, graph.height);
-    for (int y = 0; y < graph.height; ++y)
-        for (int x = 0; x < graph.width; ++x)
-            result(x, y) = inside(x + 1, y + 1) == 1 ? 1 : 0;
-    return result;
+    return enclosed_by(strokes);
 }
 
 }  // namespace cydonia::distance

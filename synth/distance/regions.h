@@ -9,14 +9,15 @@
 
 namespace cydonia::distance {
 
-// The regions of a stage, by node of its graph; empty vectors where no region has such a
+// The regions of a stage by node of its graph. A vector is empty when no region has that
 // rule.
 struct Regions {
-    // Index in Options::profiles of the profile that holds at each node, kFree: each
-    // feature's own.
+    // The index in Options::profiles of the profile that holds at each node; kFree stands
+    // for each feature's own.
     static constexpr std::uint8_t kFree = 255;
     std::vector<std::uint8_t> profile_at;
-    // Which region closes each node to all but its groups, and by how much, 0 to 1.
+    // The region that closes each node to all groups but its own, and by how much, 0
+    // to 1.
     std::vector<std::uint8_t> closed_by;
     std::vector<float> closed;
     std::vector<std::uint64_t> open_to;  // of each region: a bit a group
@@ -31,7 +32,7 @@ struct Regions {
 // Throws bad_request for a region inside a group that encloses nothing.
 Regions regions_of(const Options& options, const Graph& graph, const Features& features);
 
-// 1 where the closed strokes of a group go round, the strokes themselves not.
+// A mask that is 1 within the closed strokes of a group and 0 on the strokes themselves.
 Field<std::uint8_t> enclosed(const Graph& graph, const Features& features, int group);
 
 }  // namespace cydonia::distance

@@ -25,7 +25,7 @@ double length_of(std::span<const CostPoint> line) {
     return length;
 }
 
-// In (-1, 1), about as often near its ends as in the middle.
+// A random number in (-1, 1), about as often near its ends as in the middle.
 double waves(double metres, double longest, std::uint64_t seed) {
     double sum = 0.0;
     for (int octave = 0; octave < kOctaves; ++octave) {
@@ -36,7 +36,8 @@ double waves(double metres, double longest, std::uint64_t seed) {
     return sum / std::sqrt(0.25 + sum * sum);
 }
 
-// The line and what lies on it at these rising costs, from 0 to below its last.
+// The line with additional points at these costs, which must rise and lie between 0 and
+// its last cost.
 std::vector<CostPoint> with_points_at(std::span<const CostPoint> line,
                                       std::span<const double> costs) {
     std::vector<CostPoint> points;
@@ -80,8 +81,8 @@ std::vector<CostPoint> with_detail(std::span<const CostPoint> line, double detai
 
 std::vector<CostPoint> with_strata(std::span<const CostPoint> line,
                                    const Profile::Strata& strata) {
-    // Of a layer's way, the share of its cliff; the slopes of ledge and cliff in times of
-    // what they were.
+    // The share of a layer's width that its cliff takes, and the factors of the slopes of
+    // ledge and cliff.
     const double cliff_way = std::lerp(0.5, 0.1, strata.hardness);
     const double ledge = std::max(1.0 - strata.hardness, 0.02);
     const double cliff = (1.0 - (1.0 - cliff_way) * ledge) / cliff_way;

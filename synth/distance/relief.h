@@ -9,15 +9,16 @@
 
 namespace cydonia::distance {
 
-// What is cut into a profile's cost line. Its ends stay and it keeps rising strictly.
+// Fine relief of a profile's cost line. The ends of the line stay, and it keeps rising
+// strictly.
 
-// Waves of slope: `detail` 0 none, below 1 never to level ground. The longest is
-// `longest` metres along the slope, each further one half as long, four in all; by
-// `seed`.
+// Adds waves to the slope: none when `detail` is 0, and never to level ground when it is
+// below 1. There are four random waves: the longest has `longest` metres along the slope,
+// and each further one is half as long.
 std::vector<CostPoint> with_detail(std::span<const CostPoint> line, double detail,
                                    double longest, std::uint64_t seed);
 
-// Layers of equal height, from the top: each a cliff over a ledge.
+// Cuts the slope into layers of equal height from the top, each a cliff over a ledge.
 std::vector<CostPoint> with_strata(std::span<const CostPoint> line,
                                    const Profile::Strata& strata);
 

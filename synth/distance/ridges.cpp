@@ -7,8 +7,8 @@
 
 #include "field/error.h"
 #include "field/random.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/dijkstra.h"
-#include "synth/distance/growth.h"
 
 namespace cydonia::distance {
 namespace {
@@ -42,7 +42,7 @@ void check(const Ridges& ridges, const std::string& name, double width) {
     }
 }
 
-// Grows ridges on the layout, where paths take the same way at every resolution.
+// Grows ridges on the layout, where paths are the same at every resolution.
 class Growing {
   public:
     Growing(const Ridges& ridges, std::vector<PlacedGroup>& groups, const Site& site)
@@ -61,10 +61,10 @@ class Growing {
                 "group '{}': there is no feature for its ridges to grow from",
                 groups.back().name);
         }
-        paths_.spread(origins_.starts, RawGrowth{origins_.starts});
+        paths_.spread(origins_.starts, RawCostModel{origins_.starts});
         if (!reach_) return;
         for (const Origins::Origin& o : origins_.of) {
-            const Place& p = groups[o.group].shapes[o.shape].places[o.place];
+            const SitePoint& p = groups[o.group].shapes[o.shape].places[o.place];
             generators_.add(p.x, p.y, 0);
         }
     }
@@ -89,37 +89,39 @@ class Growing {
     }
 
   private:
-    // Paths of one pass that meet go on as one.
+    // Paths of one pass that meet continue as one.
     void trace_back(int end) {
         const Origins::Origin& origin = origins_.of[paths_[end].origin];
         Shape& shape = groups_[origin.group].shapes[origin.shape];
         const int root = root_of(end, shape, shape.places[origin.place].root);
-        Place before = place_of(end, root);
+        SitePoint before = place_of(end, root);
         shape.places.push_back(before);
         shape.land.push_back(before);
         for (int node = end;
              !on_ridge_[node] && paths_[node].direction != Label::kStart;) {
             on_ridge_[node] = true;
             node -= layout_.step[paths_[node].direction];
-            const Place here = place_of(node, root);
-            // Where the land's grid is finer, places between close the gaps.
+            const SitePoint here = place_of(node, root);
+            // Where the land's grid is finer than the layout, places between its nodes
+            // close the gaps.
             append_line(shape.land, before, here, site_.graph.spacing);
             shape.places.push_back(here);
             before = here;
         }
     }
 
-    // A ridge on the side of the feature's first profile has it all round: no root. On
-    // the other side its places part the ground as the stroke does that it comes from.
+    // A ridge on the side of the feature's first profile has that profile on all sides,
+    // and no root. On the other side its places divide the ground as the stroke does from
+    // which it grows.
     int root_of(int end, const Shape& shape, int origin) const {
         if (shape.sides.empty() || origin < 0) return origin;
         const auto [x, y] = shape.sides[origin];
-        const Place foot = shape.places[origin], tip = site_.centre_of(layout_, end);
+        const SitePoint foot = shape.places[origin], tip = site_.centre_of(layout_, end);
         return x * (tip.x - foot.x) + y * (tip.y - foot.y) >= 0.0f ? -1 : origin;
     }
 
-    Place place_of(int node, int root) const {
-        Place place = site_.centre_of(layout_, node);
+    SitePoint place_of(int node, int root) const {
+        SitePoint place = site_.centre_of(layout_, node);
         place.cost = static_cast<float>(ridges_.cost_factor) * paths_[node].cost;
         place.root = root;
         return place;
@@ -131,7 +133,7 @@ class Growing {
     const Graph& layout_;
     Origins origins_;
     std::optional<double> reach_;
-    PlaceIndex generators_;
+    PointIndex generators_;
     LeastCost paths_;
     std::vector<bool> on_ridge_;
 };
@@ -143,7 +145,7 @@ Origins origins_of(std::span<const int> which, const std::vector<PlacedGroup>& g
     Origins origins;
     for (int g : which) {
         for (std::size_t s = 0; s < groups[g].shapes.size(); ++s) {
-            const std::vector<Place>& places = groups[g].shapes[s].places;
+            const std::vector<SitePoint>& places = groups[g].shapes[s].places;
             for (std::size_t p = 0; p < places.size(); ++p) {
                 origins.starts.push_back(
                     {node_at(graph, places[p].x, places[p].y), places[p].cost});

@@ -9,13 +9,13 @@
 
 namespace cydonia::distance {
 
-// Rusnell 2009, sections 4.1 and 5.4: from random nodes back along least-cost paths to
-// the features of the groups that `ridges` names (none: the last of `groups`), which the
-// paths join. Throws bad_request when no node can be found.
+// Rusnell 2009, sections 4.1 and 5.4: traces least-cost paths from random nodes back to
+// the features of the groups that `ridges` names (by default the last of `groups`), and
+// adds the paths to those features. Throws bad_request when no node can be found.
 void grow_ridges(const Ridges& ridges, std::vector<PlacedGroup>& groups,
                  const Site& site);
 
-// The generators of groups as starts at the nodes of `graph`.
+// The generators of some groups as starts at the nodes of `graph`.
 struct Origins {
     std::vector<Start> starts;
     struct Origin {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <queue>
 
-#include "field/field.h"
+#include "field/enclosed.h"
 
 namespace cydonia::distance {
 namespace {
@@ -20,24 +20,25 @@ Vector unit_vector(double x, double y) {
     return {static_cast<float>(x / length), static_cast<float>(y / length)};
 }
 
-PlaceIndex index_of(const std::vector<Place>& places, const std::vector<int>& part,
-                    double reach) {
-    PlaceIndex index(reach);
-    for (int i : part) index.add(places[i].x, places[i].y, i);
+PointIndex index_of(const std::vector<SitePoint>& places,
+                    const std::vector<int>& component, double reach) {
+    PointIndex index(reach);
+    for (int i : component) index.add(places[i].x, places[i].y, i);
     return index;
 }
 
-// Places of a shape and which of them touch.
-class Pieces {
+// The connected components of a shape's places, which are connected when they touch.
+class Components {
   public:
-    explicit Pieces(const Shape& shape)
+    explicit Components(const Shape& shape)
         : shape_(shape), touch_(1.5 * shape.pitch), index_(touch_) {
         for (std::size_t i = 0; i < shape.places.size(); ++i) {
             index_.add(shape.places[i].x, shape.places[i].y, static_cast<int>(i));
         }
     }
 
-    // Metres along the shape from a place; kFar where it does not lead.
+    // The distances in metres along the shape from a place; kFar for places that are not
+    // connected with it.
     std::vector<float> distances(int from) const {
         std::vector<float> distances(shape_.places.size(), kFar);
         using Entry = std::pair<float, int>;
@@ -48,7 +49,7 @@ class Pieces {
             const auto [distance, at] = front.top();
             front.pop();
             if (distance > distances[at]) continue;
-            const Place& here = shape_.places[at];
+            const SitePoint& here = shape_.places[at];
             index_.within(here.x, here.y, touch_, [&](int name, double square) {
                 const float there = distance + static_cast<float>(std::sqrt(square));
                 if (there < distances[name]) {
@@ -61,71 +62,61 @@ class Pieces {
         return distances;
     }
 
-    // The names of each connected part.
-    std::vector<std::vector<int>> parts() const {
-        std::vector<std::vector<int>> parts;
+    // The indices of the places of each component.
+    std::vector<std::vector<int>> members() const {
+        std::vector<std::vector<int>> members;
         std::vector<bool> seen(shape_.places.size());
         for (std::size_t start = 0; start < seen.size(); ++start) {
             if (seen[start]) continue;
-            std::vector<int>& part = parts.emplace_back(1, static_cast<int>(start));
+            std::vector<int>& component =
+                members.emplace_back(1, static_cast<int>(start));
             seen[start] = true;
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                const Place& here = shape_.places[part[i]];
+            for (std::size_t i = 0; i < component.size(); ++i) {
+                const SitePoint& here = shape_.places[component[i]];
                 index_.within(here.x, here.y, touch_, [&](int name, double) {
-                    if (!seen[name]) part.push_back(name);
+                    if (!seen[name]) component.push_back(name);
                     seen[name] = true;
                     return true;
                 });
             }
         }
-        return parts;
+        return members;
     }
 
   private:
     const Shape& shape_;
     double touch_;
-    PlaceIndex index_;
+    PointIndex index_;
 };
 
-bool is_west_of(const Place& a, const Place& b) {
+bool is_west_of(const SitePoint& a, const SitePoint& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-// The ground that a part of a shape encloses: the centres of cells of its pitch.
-std::vector<Place> enclosed_by(const Shape& shape, const std::vector<int>& part) {
+// The ground that a component of a shape encloses, as the centres of cells that are as
+// large as its pitch.
+std::vector<SitePoint> ground_within(const Shape& shape,
+                                     const std::vector<int>& component) {
     const double pitch = shape.pitch > 0.0f ? shape.pitch : 1.0;
     double west = kFar, north = kFar, east = -kFar, south = -kFar;
-    for (int i : part) {
-        const Place& p = shape.places[i];
+    for (int i : component) {
+        const SitePoint& p = shape.places[i];
         west = std::min<double>(west, p.x), east = std::max<double>(east, p.x);
         north = std::min<double>(north, p.y), south = std::max<double>(south, p.y);
     }
-    // One free cell all round.
     west -= pitch, north -= pitch;
-    enum Cell : char { kUnknown, kDrawn, kOutside };
-    Field<Cell> cells(static_cast<int>((east - west) / pitch + 0.5) + 2,
-                      static_cast<int>((south - north) / pitch + 0.5) + 2, kUnknown);
-    for (int i : part) {
-        const Place& p = shape.places[i];
-        cells(static_cast<int>((p.x - west) / pitch + 0.5),
-              static_cast<int>((p.y - north) / pitch + 0.5)) = kDrawn;
+    Field<std::uint8_t> drawn(static_cast<int>((east - west) / pitch + 0.5) + 2,
+                              static_cast<int>((south - north) / pitch + 0.5) + 2);
+    for (int i : component) {
+        const SitePoint& p = shape.places[i];
+        drawn(static_cast<int>((p.x - west) / pitch + 0.5),
+              static_cast<int>((p.y - north) / pitch + 0.5)) = 1;
     }
-    std::vector<std::array<int, 2>> front{{0, 0}};
-    cells(0, 0) = kOutside;
-    while (!front.empty()) {
-        const auto [x, y] = front.back();
-        front.pop_back();
-        for (const auto [i, j] :
-             {std::array{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
-            if (!cells.contains(i, j) || cells(i, j) != kUnknown) continue;
-            cells(i, j) = kOutside;
-            front.push_back({i, j});
-        }
-    }
-    std::vector<Place> enclosed;
-    for (int y = 0; y < cells.height(); ++y) {
-        for (int x = 0; x < cells.width(); ++x) {
-            if (cells(x, y) != kUnknown) continue;
+    const Field<std::uint8_t> mask = enclosed_by(drawn);
+    std::vector<SitePoint> enclosed;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            if (mask(x, y) == 0) continue;
             enclosed.push_back({static_cast<float>(west + x * pitch),
                                 static_cast<float>(north + y * pitch)});
         }
@@ -133,58 +124,61 @@ std::vector<Place> enclosed_by(const Shape& shape, const std::vector<int>& part)
     return enclosed;
 }
 
-// A stroke is closed when it goes round something; a few cells that a thick stroke leaves
-// out are nothing.
-bool goes_round(const std::vector<Place>& enclosed, const std::vector<int>& part) {
-    return 4 * enclosed.size() > part.size();
+// A stroke is closed when it goes round something. A few cells that a thick stroke leaves
+// out do not count.
+bool goes_round(const std::vector<SitePoint>& enclosed,
+                const std::vector<int>& component) {
+    return 4 * enclosed.size() > component.size();
 }
 
-bool is_closed(const Shape& shape, const std::vector<int>& part) {
-    return shape.centre || goes_round(enclosed_by(shape, part), part);
+bool is_closed(const Shape& shape, const std::vector<int>& component) {
+    return shape.centre || goes_round(ground_within(shape, component), component);
 }
 
-int farthest_of(const std::vector<int>& part, const std::vector<float>& distances) {
-    return *std::ranges::max_element(part, {}, [&](int i) { return distances[i]; });
+int farthest_of(const std::vector<int>& component, const std::vector<float>& distances) {
+    return *std::ranges::max_element(component, {}, [&](int i) { return distances[i]; });
 }
 
-// Metres from the beginning of one part.
-std::vector<float> distances_along(const Shape& shape, const Pieces& pieces,
-                                   const std::vector<int>& part) {
+// The distances in metres from the beginning of a component.
+std::vector<float> distances_along(const Shape& shape, const Components& components,
+                                   const std::vector<int>& component) {
     const auto west_of = [&](int a, int b) {
         return is_west_of(shape.places[a], shape.places[b]);
     };
-    if (is_closed(shape, part)) {
-        return pieces.distances(*std::ranges::min_element(part, west_of));
+    if (is_closed(shape, component)) {
+        return components.distances(*std::ranges::min_element(component, west_of));
     }
-    const int one = farthest_of(part, pieces.distances(part.front()));
-    const int other = farthest_of(part, pieces.distances(one));
-    return pieces.distances(std::min(one, other, west_of));
+    const int one = farthest_of(component, components.distances(component.front()));
+    const int other = farthest_of(component, components.distances(one));
+    return components.distances(std::min(one, other, west_of));
 }
 
-// To the left of where an open part goes on: of the sum of the ways to the places near
-// each, counted by how much farther along they are.
-void add_left_sides(const Shape& shape, const std::vector<int>& part,
+// The left side of an open component at each of its places. The direction there is the
+// sum of the vectors to the places nearby, weighted by how much farther along the stroke
+// they are.
+void add_left_sides(const Shape& shape, const std::vector<int>& component,
                     const std::vector<float>& along, double reach,
                     std::vector<Vector>& sides) {
-    const PlaceIndex index = index_of(shape.places, part, reach);
-    for (int i : part) {
-        const Place& here = shape.places[i];
+    const PointIndex index = index_of(shape.places, component, reach);
+    for (int i : component) {
+        const SitePoint& here = shape.places[i];
         double x = 0.0, y = 0.0;
         index.within(here.x, here.y, reach, [&](int name, double) {
             const double on = along[name] - along[i];
-            if (std::abs(on) > 2.0 * reach) return true;  // where the stroke comes back
+            if (std::abs(on) > 2.0 * reach) return true;  // the stroke comes back here
             x += on * (shape.places[name].x - here.x);
             y += on * (shape.places[name].y - here.y);
             return true;
         });
-        // Walking east, the left is north.
+        // When the stroke runs east, its left is north.
         sides[i] = unit_vector(y, -x);
     }
 }
 
-// To the middle of what is enclosed nearby.
-Vector inward(const Place& here, const PlaceIndex& index,
-              const std::vector<Place>& enclosed, const Place& middle, double reach) {
+// The unit vector to the middle of the enclosed ground nearby.
+Vector inward(const SitePoint& here, const PointIndex& index,
+              const std::vector<SitePoint>& enclosed, const SitePoint& middle,
+              double reach) {
     double x = 0.0, y = 0.0;
     index.within(here.x, here.y, reach, [&](int name, double) {
         x += enclosed[name].x - here.x;
@@ -196,9 +190,9 @@ Vector inward(const Place& here, const PlaceIndex& index,
     return unit_vector(middle.x - here.x, middle.y - here.y);
 }
 
-Place middle_of(const std::vector<Place>& places) {
+SitePoint middle_of(const std::vector<SitePoint>& places) {
     double x = 0.0, y = 0.0;
-    for (const Place& p : places) x += p.x, y += p.y;
+    for (const SitePoint& p : places) x += p.x, y += p.y;
     const double n = static_cast<double>(places.size());
     return {static_cast<float>(x / n), static_cast<float>(y / n)};
 }
@@ -208,11 +202,12 @@ Place middle_of(const std::vector<Place>& places) {
 std::vector<float> along(const Shape& shape) {
     std::vector<float> result(shape.places.size());
     if (!(shape.pitch > 0.0f)) return result;
-    const Pieces pieces(shape);
-    for (const std::vector<int>& part : pieces.parts()) {
-        const std::vector<float> distances = distances_along(shape, pieces, part);
-        const float whole = distances[farthest_of(part, distances)];
-        for (int i : part) result[i] = whole > 0.0f ? distances[i] / whole : 0.0f;
+    const Components components(shape);
+    for (const std::vector<int>& component : components.members()) {
+        const std::vector<float> distances =
+            distances_along(shape, components, component);
+        const float whole = distances[farthest_of(component, distances)];
+        for (int i : component) result[i] = whole > 0.0f ? distances[i] / whole : 0.0f;
     }
     return result;
 }
@@ -226,19 +221,19 @@ std::vector<Vector> left_sides(const Shape& shape, double reach) {
         }
         return sides;
     }
-    const Pieces pieces(shape);
-    for (const std::vector<int>& part : pieces.parts()) {
-        const std::vector<Place> enclosed = enclosed_by(shape, part);
-        if (!goes_round(enclosed, part)) {
-            add_left_sides(shape, part, distances_along(shape, pieces, part), reach,
-                           sides);
+    const Components components(shape);
+    for (const std::vector<int>& component : components.members()) {
+        const std::vector<SitePoint> enclosed = ground_within(shape, component);
+        if (!goes_round(enclosed, component)) {
+            add_left_sides(shape, component,
+                           distances_along(shape, components, component), reach, sides);
             continue;
         }
         std::vector<int> all(enclosed.size());
         std::iota(all.begin(), all.end(), 0);
-        const PlaceIndex index = index_of(enclosed, all, reach);
-        const Place middle = middle_of(enclosed);
-        for (int i : part) {
+        const PointIndex index = index_of(enclosed, all, reach);
+        const SitePoint middle = middle_of(enclosed);
+        for (int i : component) {
             sides[i] = inward(shape.places[i], index, enclosed, middle, reach);
         }
     }

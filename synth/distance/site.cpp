@@ -34,7 +34,7 @@ const Graph& Site::layout() const {
     return *layout_;
 }
 
-Place Site::centre_of(const Graph& of, int node) const {
+SitePoint Site::centre_of(const Graph& of, int node) const {
     return {static_cast<float>((of.x_of(node) + 0.5) * of.spacing),
             static_cast<float>((of.y_of(node) + 0.5) * of.spacing)};
 }
@@ -48,7 +48,8 @@ int node_at(const Graph& graph, double x, double y) {
 
 std::uint64_t key_of(const std::string& name) { return key(name.c_str()); }
 
-void append_line(std::vector<Place>& line, const Place& a, const Place& b, double step) {
+void append_line(std::vector<SitePoint>& line, const SitePoint& a, const SitePoint& b,
+                 double step) {
     const double longer = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
     const int parts = std::max(1, static_cast<int>(std::ceil(longer / step - 1e-3)));
     for (int i = 1; i <= parts; ++i) {

@@ -16,27 +16,27 @@
 
 namespace cydonia::distance {
 
-// A generator on the ground: metres from the north-west corner.
-struct Place {
+// A generator on the ground, in metres from the north-west corner.
+struct SitePoint {
     float x = 0.0f, y = 0.0f;
     float cost = 0.0f;
     int root = 0;  // its index in its shape's places; elsewhere the nearest of them
 };
 
-// One feature on its way to generators. What is decided (distances, paths, directions)
-// is decided on `places`, which are the same for every number of samples; `land` are the
-// same generators at the land's nodes, without gaps.
+// A feature that becomes generators. Distances, paths and directions are decided on
+// `places`, which are the same for every number of samples. `land` contains the same
+// generators at the land's nodes, without gaps.
 struct Shape {
-    std::vector<Place> places;
-    std::vector<Place> land;
+    std::vector<SitePoint> places;
+    std::vector<SitePoint> land;
     float pitch = 0.0f;  // neighbouring places are at most this far apart, each way
     std::optional<std::array<float, 2>> centre;  // of a closed curve, where known
-    // Where it has two profiles: unit vectors (east, south) at the places that it had
-    // before ridges joined it, into the first one's side.
+    // For a feature with two profiles: unit vectors (east, south) that point into the
+    // side of the first, at the places that the feature had before ridges joined it.
     std::vector<std::array<float, 2>> sides;
 };
 
-// What shapes and costs depend on.
+// Everything that shapes and costs depend on.
 class Site {
   public:
     Site(const Options& options, const Graph& graph, const Terrain& terrain,
@@ -50,13 +50,14 @@ class Site {
     // A lattice that does not depend on the samples: 1024 cells along the longer side.
     const int columns, rows;
 
-    // Where paths take the same way for every number of samples. Made when asked for.
+    // The graph on which paths are the same for every number of samples. It is made when
+    // it is first asked for.
     const Graph& layout() const;
 
     bool contains(double x, double y) const {
         return x >= 0.0 && y >= 0.0 && x < width && y < depth;
     }
-    Place centre_of(const Graph& of, int node) const;
+    SitePoint centre_of(const Graph& of, int node) const;
 
   private:
     mutable std::unique_ptr<Graph> layout_;
@@ -66,20 +67,22 @@ int node_at(const Graph& graph, double x, double y);
 
 std::uint64_t key_of(const std::string& name);
 
-// Appends the line from `a` to `b`, without `a`, in steps no longer than `step` each way:
-// of nodes `step` apart it leaves out none.
-void append_line(std::vector<Place>& line, const Place& a, const Place& b, double step);
+// Appends the line from `a` to `b`, without `a`, in steps of at most `step` along each
+// axis, so that it leaves out no node when nodes are `step` apart.
+void append_line(std::vector<SitePoint>& line, const SitePoint& a, const SitePoint& b,
+                 double step);
 
-// Places by where they are.
-class PlaceIndex {
+// Finds points by their position.
+class PointIndex {
   public:
-    // `reach`: about the distance that will be asked for, metres.
-    explicit PlaceIndex(double reach) : per_metre_(1.0 / reach) {}
+    // `reach` is about the distance, in metres, that within() will be asked for.
+    explicit PointIndex(double reach) : per_metre_(1.0 / reach) {}
 
     void add(double x, double y, int name) {
         cells_[key(cell(x), cell(y))].push_back({x, y, name});
     }
-    // visit(name, squared distance) for all within `radius`, until it returns false.
+    // Calls visit(name, squared distance) for all points within `radius` until it returns
+    // false.
     template <class Visit>
     void within(double x, double y, double radius, const Visit& visit) const {
         const double most = radius * radius;

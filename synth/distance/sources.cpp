@@ -16,8 +16,8 @@
 namespace cydonia::distance {
 namespace {
 
-// The samples [first, last) of one axis whose centres a cell covers; where cells are
-// smaller, the one sample that holds the cell's centre.
+// The samples [first, last) of one axis whose centres a cell covers. Where cells are
+// smaller than samples, it is the one sample that holds the cell's centre.
 std::array<int, 2> samples_of(int cell, int cells, int samples) {
     const auto first = [&](std::int64_t c) {
         return static_cast<int>((2 * c * samples + cells - 1) / (2 * cells));
@@ -28,7 +28,7 @@ std::array<int, 2> samples_of(int cell, int cells, int samples) {
     return {holding, holding + 1};
 }
 
-// In [-1, 1], the same again after a turn.
+// A value in [-1, 1] that repeats after a full turn.
 double round_noise(double angle, std::uint64_t seed) {
     const double x = std::cos(angle), y = std::sin(angle);
     const double sum = gradient_noise(1.5 * x, 1.5 * y, seed) +
@@ -38,7 +38,7 @@ double round_noise(double angle, std::uint64_t seed) {
 }
 
 struct Rim {
-    Place centre;
+    SitePoint centre;
     double radius;
     double roughness;
     std::uint64_t seed;
@@ -46,26 +46,26 @@ struct Rim {
     double radius_at(double angle) const {
         return radius * (1.0 + roughness * round_noise(angle, seed));
     }
-    Place at(double angle) const {
+    SitePoint at(double angle) const {
         const double r = radius_at(angle);
         return {static_cast<float>(centre.x + r * std::cos(angle)),
                 static_cast<float>(centre.y + r * std::sin(angle))};
     }
-    bool encloses(const Place& place) const {
+    bool encloses(const SitePoint& place) const {
         const double dx = place.x - centre.x, dy = place.y - centre.y;
         return std::hypot(dx, dy) < radius_at(std::atan2(dy, dx));
     }
 };
 
-// A smaller circle is a younger one: it leaves nothing of the rims that were there.
-bool erased(const Place& place, const Rim& rim, const std::vector<Rim>& rims) {
+// A smaller circle is a younger one and erases the rims that were there.
+bool erased(const SitePoint& place, const Rim& rim, const std::vector<Rim>& rims) {
     return std::ranges::any_of(rims, [&](const Rim& other) {
         return other.radius < rim.radius && other.encloses(place);
     });
 }
 
 Shape rim_shape(const Rim& rim, const std::vector<Rim>& rims, const Site& site) {
-    const auto shows = [&](const Place& place) {
+    const auto shows = [&](const SitePoint& place) {
         return site.contains(place.x, place.y) && !erased(place, rim, rims);
     };
     Shape shape;
@@ -74,10 +74,10 @@ Shape rim_shape(const Rim& rim, const std::vector<Rim>& rims, const Site& site) 
     const int count =
         std::max(24, static_cast<int>(std::ceil(4.0 * std::numbers::pi * rim.radius *
                                                 (1.0 + rim.roughness) / shape.pitch)));
-    std::vector<Place> line;
-    Place before = rim.at(0.0);
+    std::vector<SitePoint> line;
+    SitePoint before = rim.at(0.0);
     for (int i = 1; i <= count; ++i) {
-        Place here = rim.at(2.0 * std::numbers::pi * (i % count) / count);
+        SitePoint here = rim.at(2.0 * std::numbers::pi * (i % count) / count);
         here.root = static_cast<int>(shape.places.size());
         if (shows(here)) {
             shape.places.push_back(here);
@@ -87,8 +87,8 @@ Shape rim_shape(const Rim& rim, const std::vector<Rim>& rims, const Site& site) 
         append_line(line, before, here, site.graph.spacing);
         before = here;
     }
-    // Where the curve comes in from outside there is no place before.
-    for (Place& place : line) {
+    // Where the curve enters the land there is no place before.
+    for (SitePoint& place : line) {
         if (shape.places.empty() || !shows(place)) continue;
         place.root = std::min(place.root, static_cast<int>(shape.places.size()) - 1);
         shape.land.push_back(place);
@@ -109,7 +109,7 @@ void check(const Circles& circles, const std::string& group, const Site& site) {
             "group '{}': roughness is {}: it must be at least 0 and below 1", group,
             circles.roughness);
     }
-    // Wherever its centre is, some of a rim lies on the land.
+    // With this radius some of the rim lies on the land wherever its centre is.
     const double most =
         0.5 * std::hypot(site.width, site.depth) / (1.0 + circles.roughness);
     if (high > most) {
@@ -133,7 +133,7 @@ Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site
         const auto [north, south] = samples_of(row, rows, site.graph.height);
         for (int y = north; y < south; ++y) {
             for (int x = west; x < east; ++x) {
-                Place place = site.centre_of(site.graph, site.graph.node(x, y));
+                SitePoint place = site.centre_of(site.graph, site.graph.node(x, y));
                 place.root = root;
                 const bool again = !shape.land.empty() &&
                                    shape.land.back().x == place.x &&
@@ -148,7 +148,7 @@ Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site
 std::vector<Shape> peak_shapes(const Peaks& peaks, const std::string& group,
                                const Site& site, const std::vector<PlacedGroup>& before) {
     std::vector<Shape> shapes;
-    for (const Place& place : random_places(peaks.placement, group, site, before)) {
+    for (const SitePoint& place : random_places(peaks.placement, group, site, before)) {
         Shape& shape = shapes.emplace_back();
         shape.places = shape.land = {place};
     }
@@ -162,7 +162,8 @@ std::vector<Shape> circle_shapes(const Circles& circles, const std::string& grou
     const double low = circles.radius[0].in(site.width);
     const double high = circles.radius[1].in(site.width);
     std::vector<Rim> rims;
-    for (const Place& centre : random_places(circles.placement, group, site, before)) {
+    for (const SitePoint& centre :
+         random_places(circles.placement, group, site, before)) {
         const std::uint64_t h =
             hash_of({site.seed, key("radius"), key_of(group), rims.size()});
         rims.push_back(
@@ -204,8 +205,8 @@ std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
         }
     }
     std::vector<Shape> shapes;
-    for (const std::vector<int>& piece : pieces_of(found, std::uint8_t{0})) {
-        shapes.push_back(stretched(piece, grey.width(), grey.height(), site));
+    for (const std::vector<int>& component : components_of(found, std::uint8_t{0})) {
+        shapes.push_back(stretched(component, grey.width(), grey.height(), site));
     }
     return shapes;
 }

@@ -9,28 +9,29 @@
 
 namespace cydonia::distance {
 
-// F, Rusnell 2009, section 3.2: where the features of a group are. All throw bad_request,
-// naming the group, for numbers out of range and where nothing is found.
+// F, Rusnell 2009, section 3.2: where the features of a group are. All functions throw
+// bad_request, naming the group, for numbers out of range and when they find nothing.
 
-// Strokes of every picture that groups draw from, read once.
+// The strokes of all pictures that groups name. Each picture is read once.
 class DrawnStrokes {
   public:
-    // Throws bad_request for a drawn colour that no group has, where groups have colours.
+    // Throws bad_request for a drawn colour that no group has, when the groups of a
+    // picture have colours.
     explicit DrawnStrokes(const Site& site);
 
-    // Connected pieces of one colour, in reading order.
+    // Connected components of one colour, in reading order.
     std::vector<Shape> of(const Strokes& strokes, const std::string& group) const;
 
   private:
-    struct Piece {
+    struct Component {
         std::array<std::uint8_t, 3> colour;
         Shape shape;
     };
-    static std::vector<Piece> pieces_in(const Source& source, const Site& site);
+    static std::vector<Component> components_in(const Source& source, const Site& site);
 
     struct Picture {
         Source source;
-        std::vector<Piece> pieces;
+        std::vector<Component> components;
     };
     std::vector<Picture> pictures_;
 };
@@ -38,35 +39,36 @@ class DrawnStrokes {
 std::vector<Shape> peak_shapes(const Peaks& peaks, const std::string& group,
                                const Site& site, const std::vector<PlacedGroup>& before);
 
-// Closed curves, whatever leaves the land cut off, and rims that a smaller circle has
-// fallen on.
+// Closed curves. What leaves the land is cut off, and so are rims that a smaller circle
+// covers.
 std::vector<Shape> circle_shapes(const Circles& circles, const std::string& group,
                                  const Site& site,
                                  const std::vector<PlacedGroup>& before);
 
-// Connected pieces of the picture's own pixels with a gradient above eq. 4.3's.
+// Connected components of the picture's own pixels with a gradient above eq. 4.3's.
 std::vector<Shape> edge_shapes(const Edges& edges, const std::string& group,
                                const Site& site);
 
-// One feature a level, its cost set.
+// One feature for each level, with its cost.
 std::vector<Shape> terrace_shapes(const Terraces& terraces, const std::string& group,
                                   const Site& site);
 
 // One feature: the nodes within the distance that have a neighbour beyond it.
 std::vector<Shape> lip_shape(const Lip& lip, const std::string& group, const Site& site);
 
-// The cells of each connected piece of equal values; pieces and cells in reading order.
-// Cells that equal `nothing` are in none. Corners connect.
+// The cells of each connected component of equal values. Components and cells are in
+// reading order. Cells that equal `nothing` belong to none, and corners connect. (OpenCV
+// labels the components of a single value only.)
 template <class T>
-std::vector<std::vector<int>> pieces_of(const Field<T>& cells, const T& nothing) {
-    std::vector<std::vector<int>> pieces;
+std::vector<std::vector<int>> components_of(const Field<T>& cells, const T& nothing) {
+    std::vector<std::vector<int>> components;
     std::vector<int> front;
-    Field<int> piece_of(cells.width(), cells.height(), -1);
+    Field<int> component_of(cells.width(), cells.height(), -1);
     for (int start = 0; start < static_cast<int>(cells.size()); ++start) {
         if (cells[start] == nothing) continue;
-        if (piece_of[start] < 0) {
-            piece_of[start] = static_cast<int>(pieces.size());
-            pieces.emplace_back();
+        if (component_of[start] < 0) {
+            component_of[start] = static_cast<int>(components.size());
+            components.emplace_back();
             front.push_back(start);
         }
         while (!front.empty()) {
@@ -76,18 +78,18 @@ std::vector<std::vector<int>> pieces_of(const Field<T>& cells, const T& nothing)
             for (int y = y0 - 1; y <= y0 + 1; ++y) {
                 for (int x = x0 - 1; x <= x0 + 1; ++x) {
                     if (!cells.contains(x, y) || cells(x, y) != cells[start]) continue;
-                    if (piece_of(x, y) >= 0) continue;
-                    piece_of(x, y) = piece_of[start];
+                    if (component_of(x, y) >= 0) continue;
+                    component_of(x, y) = component_of[start];
                     front.push_back(y * cells.width() + x);
                 }
             }
         }
-        pieces[piece_of[start]].push_back(start);
+        components[component_of[start]].push_back(start);
     }
-    return pieces;
+    return components;
 }
 
-// Cells of a columns x rows picture that is stretched over the land, as a shape.
+// The shape of some cells of a columns x rows picture that is stretched over the land.
 Shape stretched(const std::vector<int>& cells, int columns, int rows, const Site& site);
 
 }  // namespace cydonia::distance

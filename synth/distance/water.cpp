@@ -8,18 +8,19 @@
 
 #include "field/error.h"
 #include "field/strokes.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 namespace cydonia::distance {
 namespace {
 
-// A low bank parts the water from land that lies lower: it rises at a tenth of the shore
-// slope, and falls again at the full one so that it would be gone this far from the
-// shore.
+// A low bank separates the water from land that lies lower. It rises at a tenth of the
+// shore slope and falls again at the full slope, so that it ends at this distance from
+// the shore.
 const double kBank = thesis_units(10.0).fraction;  // of the width
 constexpr float kBankRise = 0.1f;
 
-// A picture's grey: the shore is where it passes one half, anywhere between two samples.
+// The grey of a picture. The shore is where it passes one half, anywhere between two
+// samples.
 bool is_wet(float grey) { return grey < 0.5f; }
 
 Field<float> drawn(const Source& image, const Graph& graph) {
@@ -33,8 +34,8 @@ Field<float> drawn(const Source& image, const Graph& graph) {
     return grey;
 }
 
-// From a sample to the shore, cells, if that passes between it and a sample beside it;
-// else infinite.
+// The distance in cells from a sample to the shore, when the shore passes between it and
+// a sample beside it; otherwise infinite.
 float to_shore(const Field<float>& grey, int x, int y) {
     const float here = grey(x, y);
     const auto along = [&](int dx, int dy) {
@@ -48,8 +49,8 @@ float to_shore(const Field<float>& grey, int x, int y) {
     return 1.0f / std::hypot(1.0f / across, 1.0f / down);  // to the line through both
 }
 
-// The samples on one side of the shore and next to it; their costs are what
-// `fall(metres)` says of their distance from it.
+// The samples next to the shore on one side of it. Their costs are `fall(metres)` of
+// their distance from it.
 template <class Fall>
 std::vector<Start> shore_of(const Field<float>& grey, const Graph& graph, bool wet,
                             const Fall& fall) {
@@ -76,7 +77,8 @@ class Shores {
           low_(graph.width, graph.height, kDry),
           high_(graph.width, graph.height, -kDry) {}
 
-    // One after another: a lake's level may be that of land that a sea has lowered.
+    // The waters are laid one after another, since a lake's level may be that of land
+    // that a sea has lowered.
     void add(const Water& water) {
         const Field<float> grey = drawn(water.image, graph_);
         const float level = level_of(water, grey);
@@ -84,7 +86,7 @@ class Shores {
         bound_land(water, grey, level);
     }
 
-    // Where two waters disagree, a steep bank keeps the higher one in.
+    // Where two waters contradict each other, a steep bank holds the higher one.
     void shape_land() {
         for (std::size_t i = 0; i < low_.size(); ++i) {
             if (terrain_.water[i] == kDry) terrain_.heights[i] = bounded(i);
@@ -121,7 +123,7 @@ class Shores {
             return std::min(shapes.descents[0](metres), 0.5f * deepest);
         });
         shapes.ways.assign(shore.size(), 0);
-        paths_.spread(shore, ProfileGrowth(shapes, shore, 0),
+        paths_.spread(shore, ProfileCostModel(shapes, shore, 0),
                       [&](int, float cost) { return cost < deepest; });
         for (std::size_t i = 0; i < grey.size(); ++i) {
             if (!is_wet(grey[i])) continue;
@@ -136,7 +138,7 @@ class Shores {
             shore_of(grey, graph_, false, [&](float metres) { return slope * metres; });
         const std::vector<float> factors(
             shore.size(), slope / static_cast<float>(options_.mean_edge_weight));
-        paths_.spread(shore, ConstantGrowth{shore, factors});
+        paths_.spread(shore, ConstantCostModel{shore, factors});
         const float bank = slope * static_cast<float>(kBank * terrain_.width());
         for (std::size_t i = 0; i < grey.size(); ++i) {
             const float rise = cost_at(i);

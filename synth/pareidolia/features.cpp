@@ -18,19 +18,19 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Lit land falls at this share of the light's own slope, on average, so that it casts
-// nothing.
+// Lit land falls at this share of the light's own slope on average, so that it casts no
+// shadow.
 constexpr double kLitShare = 0.44;
-// A crest stands on flanks this steep where land around it is held down.
+// The slope of a crest's flanks where the land around it is kept low.
 constexpr double kCrestSlope = 3.0;
-// Relief of the land from the grain to sixteen times its length.
+// The relief of the land has wavelengths from the grain to sixteen times its length.
 constexpr int kGrainOctaves = 5;
-// Width of the anti-shadow band (step 4), of the terrain's width.
+// The width of the anti-shadow band (step 4), as a share of the terrain's width.
 constexpr double kAntiShadowReach = 0.03;
-// The steep side of a crest takes up this share of its shadow; beyond, land may be gentle
-// again.
+// The steep side of a crest takes this share of its shadow. Beyond it the land may be
+// gentle again.
 constexpr double kScarpShare = 0.5;
-// Holes stand this many thesis units above the shadow line (section 5.3.2), and fall by
+// Holes stand this many thesis units above the shadow line (section 5.3.2) and fall by
 // this share of the light's slope.
 constexpr double kAbove = 0.5, kHoleFall = 0.6;
 
@@ -44,7 +44,7 @@ Field<float> minimum(Field<float> a, const Field<float>& b) {
     return a;
 }
 
-// `field` with what `over` says, where it says anything.
+// `field` with the values of `over` where it has any.
 Field<float> overlaid(Field<float> field, const Field<float>& over) {
     for (std::size_t i = 0; i < field.size(); ++i)
         if (over[i] != kNowhere) field[i] = over[i];
@@ -57,7 +57,7 @@ Field<float> without(Field<float> field, const Field<float>& holes) {
     return field;
 }
 
-// Relief inside the shadows, 0 to 1.
+// The relief inside the shadows, 0 to 1.
 Field<float> inside_relief(const ShadowPlan& plan, std::uint64_t seed) {
     const NoiseOptions noise{.h = 0.8, .octaves = 4, .grid = 16.0};
     Field<float> relief = noise_field(noise, plan.width(), plan.height(), 1.0,
@@ -99,7 +99,7 @@ Field<float> features(const Options& options, const Terrain& base,
                    : lines_of_runs(plan, ground);
     };
 
-    // Complementary land first: shadows end on it.
+    // Complementary land is made first because shadows end on it.
     const ShadowLines lowest = lines_over(land);
     const float highest = *std::max_element(lowest.crests.begin(), lowest.crests.end());
     const Field<std::uint8_t> band = anti_shadow(image.target, kAntiShadowReach * width);
@@ -116,13 +116,13 @@ Field<float> features(const Options& options, const Terrain& base,
     Field<float> primary = primary_features(plan, lines.crests);
     Field<float> generators = primary;
     if (iterative) {
-        // Holes have points, no crests.
+        // Holes have points instead of crests.
         primary = without(std::move(primary), lines.holes);
         generators = maximum(primary, hole_points(lines.holes, context.seed));
         ground = overlaid(std::move(ground), lines.holes);
     }
     const Field<float> profiles = constant_profiles(primary, base.spacing, mean);
-    // Four passes that need nothing of one another.
+    // The four passes are independent of one another.
     Field<float> heights, below_ends, below_crests, buttresses;
     const double scarp = iterative ? 1.0 : kScarpShare;
     tbb::parallel_invoke(

@@ -1,6 +1,6 @@
-// Rusnell 2009, section 5.3, step 7, Algorithms 5 to 7, with costs read as heights: a
-// lower bound of the cost is an upper bound of the height, c_min is the tallest primary
-// feature.
+// Rusnell 2009, section 5.3, step 7, Algorithms 5 to 7, with heights instead of costs: a
+// lower bound of the cost is an upper bound of the height, and c_min is the tallest
+// primary feature.
 #include "synth/pareidolia/height_bound.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace cydonia::pareidolia {
 namespace {
 
-enum Region : std::uint8_t { kFree, kShadow, kAntiShadow };
+enum Zone : std::uint8_t { kFree, kShadow, kAntiShadow };
 
-// A stretch of one region along a row of the light frame: samples [first, past).
+// A stretch of one zone along a row of the light frame: samples [first, past).
 struct Stretch {
-    Region region;
+    Zone zone;
     int first, past;
     bool holds(int sample) const { return sample >= first && sample < past; }
 };
@@ -25,8 +25,8 @@ struct Stretch {
 std::vector<Stretch> stretches_of(std::span<const std::uint8_t> row) {
     std::vector<Stretch> result;
     for (int i = 0; i < static_cast<int>(row.size()); ++i) {
-        if (result.empty() || result.back().region != row[i])
-            result.push_back({static_cast<Region>(row[i]), i, i + 1});
+        if (result.empty() || result.back().zone != row[i])
+            result.push_back({static_cast<Zone>(row[i]), i, i + 1});
         result.back().past = i + 1;
     }
     return result;
@@ -41,14 +41,14 @@ class RowBound {
         const auto stretches = stretches_of(regions);
         const int count = static_cast<int>(stretches.size());
         for (const Stretch& s : stretches)
-            if (s.region == kShadow) bound_shadow(s);
+            if (s.zone == kShadow) bound_shadow(s);
         for (int i = 0; i < count; ++i) {
-            if (stretches[i].region != kAntiShadow) continue;
-            bound_anti_shadow(stretches[i], i > 0 && stretches[i - 1].region == kShadow,
-                              i + 1 < count && stretches[i + 1].region == kShadow);
+            if (stretches[i].zone != kAntiShadow) continue;
+            bound_anti_shadow(stretches[i], i > 0 && stretches[i - 1].zone == kShadow,
+                              i + 1 < count && stretches[i + 1].zone == kShadow);
         }
         for (int i = 0; i < count; ++i)
-            if (stretches[i].region == kFree)
+            if (stretches[i].zone == kFree)
                 bound_free(stretches[i], i > 0, i + 1 < count);
         for (float& b : bound_) b = std::min(b, static_cast<float>(highest_));
     }
@@ -61,14 +61,15 @@ class RowBound {
             bound_[i] = static_cast<float>(base_[end] + rise_ * (s.past - i));
     }
 
-    // Algorithm 6: from what is known at the start to what is known at the end.
+    // Algorithm 6: from the bound that is known at the start to the one that is known at
+    // the end.
     void bound_anti_shadow(const Stretch& s, bool after_shadow, bool before_shadow) {
         const double start = after_shadow ? bound_[s.first - 1] : base_[s.first];
         const double end = before_shadow ? bound_[s.past] : highest_;
         interpolate(s, start, end);
     }
 
-    // Algorithm 7; before the first anti-shadow as the prose has it (notes.md, Rusnell
+    // Algorithm 7; before the first anti-shadow as in the prose (docs/papers.md, Rusnell
     // 11).
     void bound_free(const Stretch& s, bool follows, bool leads) {
         if (follows && leads) {

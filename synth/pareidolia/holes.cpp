@@ -7,7 +7,8 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// On every 256 x 256 nodes (notes.md, Rusnell 12); those outside holes are of no use.
+// On every 256 x 256 nodes (docs/papers.md, Rusnell 12); points outside holes are not
+// used.
 constexpr std::uint64_t kPoints = 16384;
 
 }  // namespace

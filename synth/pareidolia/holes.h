@@ -7,11 +7,12 @@
 
 namespace cydonia::pareidolia {
 
-// 1 in every shadow and in what it surrounds.
+// A mask that is 1 in every shadow and in everything that it surrounds.
 Field<std::uint8_t> filled_shadows(const RegionTree& tree);
 
-// Section 5.4: random points of the `holes` (their ground, kNowhere elsewhere), which
-// stand just above the shadow line; kNowhere where none is.
+// Section 5.4: random points in the holes that stand just above the shadow line. `holes`
+// is the ground of the holes, kNowhere elsewhere. The result is kNowhere where there is
+// no point.
 Field<float> hole_points(const Field<float>& holes, std::uint64_t seed);
 
 }  // namespace cydonia::pareidolia

@@ -10,8 +10,8 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// What "auto" chooses among. Lower, the sun's own width blurs the image; higher, land
-// must be steep.
+// The elevations among which "auto" chooses. A lower sun blurs the image by its own
+// width; a higher one needs steep land.
 constexpr double kLowest = radians(8.0), kHighest = radians(35.0);
 
 void check_counts(const Options& options) {
@@ -28,12 +28,12 @@ void check_sun(const ImageOptions& options) {
     const double elevation = options.elevation.value_or(kLowest);
     if (!(elevation > 0.0 && elevation < radians(89.9)))
         throw bad_request(
-            "sun: elevation {} degrees casts no shadow: above 0 and below 90",
+            "sun: elevation {} degrees casts no shadow: it must be above 0 and below 90",
             degrees(elevation));
 }
 
-// The image at one size for every number of samples, so that the search for a sun finds
-// the same one.
+// The image at a size that is the same for every number of samples, so that the search
+// for a sun finds the same one.
 struct Small {
     Field<std::uint8_t> target;
     double spacing;  // metres
@@ -49,10 +49,10 @@ Small small_target(const ImageOptions& options, const Picture& picture,
         silent_target(options, picture, cells(terrain.width()), cells(terrain.depth())),
         longer / kLonger};
     if (std::count(small.target.begin(), small.target.end(), 1) > 0) return small;
-    return {target, terrain.spacing};  // too thin to be seen so small
+    return {target, terrain.spacing};  // too thin to be visible at that size
 }
 
-// Metres over the ground of the longest shadow.
+// The length of the longest shadow over the ground, in metres.
 double longest_shadow(const Small& small, double azimuth) {
     const LightFrame frame =
         light_frame(small.target.width(), small.target.height(), azimuth, 1);
@@ -62,8 +62,8 @@ double longest_shadow(const Small& small, double azimuth) {
     return longest * small.spacing;
 }
 
-// Metres that crests may take where the scene sets no budget: the relief that is there,
-// but for a few cells, and on flat land a share of its size.
+// The height in metres that crests may take when the scene sets no budget: the relief of
+// the base without a few extreme cells, or on flat land a share of its size.
 double natural_budget(const Terrain& terrain) {
     std::vector<float> heights(terrain.heights.begin(), terrain.heights.end());
     const auto at = [&](double share) {
@@ -80,8 +80,8 @@ double half_degree_below(double angle) {
     return radians(std::floor(2.0 * degrees(angle) + 1e-9) / 2.0);
 }
 
-// How much the land falls the way that a sun at `azimuth` shines: the covariance of depth
-// and way.
+// How much the land falls in the direction of the light of a sun at `azimuth`: the
+// covariance of depth and distance along the light.
 double fall_along(const Terrain& terrain, double azimuth) {
     const Field<float>& heights = terrain.heights;
     const double dx = -std::sin(azimuth), dy = std::cos(azimuth);
@@ -93,9 +93,9 @@ double fall_along(const Terrain& terrain, double azimuth) {
     return fall;
 }
 
-// Along an axis of the grid the rows of light are rows of heights, and what the solver
-// asks for is exact: of the two the one whose longest shadow is shorter, from the side to
-// which the land falls already.
+// Along an axis of the grid the rows of light are rows of heights, so that the solver's
+// inequalities are exact. Of the two axes this takes the one whose longest shadow is
+// shorter, with the light in the direction in which the land already falls.
 double azimuth_on_axis(const Small& small, const Terrain& terrain) {
     const double east = radians(90.0);
     const double azimuth =
@@ -140,7 +140,7 @@ void check_budget(double shadow, double elevation, double budget,
         std::floor(10.0 * degrees(std::atan(budget / shadow))) / 10.0);
 }
 
-// Cells on the land's edge where light comes in have no room before them for a caster.
+// Cells on the edge of the land where light enters have no room before them for a caster.
 void say_edge(const ShadowImage& image, Progress& progress) {
     const double east = std::sin(image.sun.azimuth), north = std::cos(image.sun.azimuth);
     const int right = image.target.width() - 1, bottom = image.target.height() - 1;

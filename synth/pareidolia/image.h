@@ -8,10 +8,10 @@
 
 namespace cydonia::pareidolia {
 
-// Every image of a stage on the cells of its terrain, with its name and its sun. What
-// "auto" came to is said by a note. Throws bad_request when there are none or too many,
-// when one shows nothing, when its sun cannot cast a shadow, and, with the metres that it
-// needs, when its longest shadow does not fit the height budget.
+// Every image of a stage on the cells of its terrain, with its name and its sun. A note
+// says what "auto" chose. Throws bad_request when there are no images or too many, when
+// one shows nothing, when its sun cannot cast a shadow, and when its longest shadow does
+// not fit the height budget; that message says how many metres it needs.
 std::vector<ShadowImage> shadow_images(const Options& options, const Terrain& terrain,
                                        Progress& progress);
 

@@ -13,19 +13,22 @@ namespace cydonia::pareidolia {
 namespace {
 
 constexpr std::size_t kMostLetters = 256;
-// Units of the drawing, and pixels at most: FreeType fails at magnified letters.
+// The size of an em in units of the drawing. A drawing has at most as many pixels,
+// because FreeType fails at magnified letters.
 constexpr double kEm = 4000.0;
 
 std::vector<char32_t> letters_of(const std::string& text) {
     const auto letters = characters_of(text);
     if (!letters) throw bad_request("text: it is not UTF-8");
     if (letters->size() > kMostLetters)
-        throw bad_request("text: {} letters, more than {}", letters->size(),
+        throw bad_request("text: {} letters are too many; at most {}", letters->size(),
                           kMostLetters);
     for (const char32_t c : *letters)  // what XML 1.0 cannot hold, and line breaks
         if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff)
-            throw bad_request("text: control character U+{:04X}; one line of letters",
-                              static_cast<std::uint32_t>(c));
+            throw bad_request(
+                "text: it contains the control character U+{:04X}; write one line of "
+                "letters",
+                static_cast<std::uint32_t>(c));
     return *letters;
 }
 
@@ -42,20 +45,21 @@ Font font_for(const std::string& asked, const std::vector<char32_t>& letters,
     const Font font = installed_font(asked);
     if (!is_named(font, asked))
         progress.warn(
-            fmt::format("font '{}' is not installed: '{}' stands for it; fc-list names "
-                        "those that are",
+            fmt::format("font '{}' is not installed: '{}' is used instead; fc-list lists "
+                        "the installed fonts",
                         asked, font.name));
     if (const auto none = without_any_shape(letters); !none.empty())
         throw bad_request(
             "text: no installed font has a shape for {}; install one that has",
             codes_of(none));
     if (const auto missing = without_shape(font, letters); !missing.empty())
-        progress.warn(fmt::format("font '{}' has no shape for {}: another font's is used",
-                                  font.name, codes_of(missing)));
+        progress.warn(fmt::format(
+            "font '{}' has no shape for {}: the shape of another font is used", font.name,
+            codes_of(missing)));
     return font;
 }
 
-// A rectangle of the drawing, in its units; the text is written from the middle (0, 0).
+// A rectangle of the drawing, in its units. The text is centred on (0, 0).
 struct Box {
     double left, top, width, height;
 };
@@ -69,7 +73,7 @@ std::string drawing(const std::string& text, const Font& font, const Box& page) 
         font.weight, font.style, font.stretch, escaped(text));
 }
 
-// Where letters are, on a page that is large enough for all of them.
+// The rectangle that the letters take. The page is enlarged until all of them fit.
 Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
     Box page{0.0, 0.0, kEm * (double(letters) + 2.0), 4.0 * kEm};
     for (int tries = 0; tries < 6; ++tries) {
@@ -89,7 +93,7 @@ Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
                 top = std::min(top, y);
                 bottom = std::max(bottom, y);
             }
-        if (right < 0) throw bad_request("text '{}': nothing in it draws", text);
+        if (right < 0) throw bad_request("text '{}': it has no visible letter", text);
         if (left > 0 && top > 0 && right < drawn.width() - 1 &&
             bottom < drawn.height() - 1)
             return {page.left + left / scale, page.top + top / scale,
@@ -97,7 +101,8 @@ Box ink_of(const std::string& text, const Font& font, std::size_t letters) {
         page.width *= 1.6;  // wider letters than an em
         page.height *= 1.6;
     }
-    throw bad_request("text '{}': its letters are larger than letters are", text);
+    throw bad_request("text '{}': its letters are too large to draw; choose another font",
+                      text);
 }
 
 }  // namespace
@@ -107,7 +112,8 @@ Lettering lettering(const std::string& text, const std::string& font,
     const std::vector<char32_t> letters = letters_of(text);
     const Font used = font_for(font, letters, progress);
     Box page = ink_of(text, used, letters.size());
-    // Casters need light ground before the first letter, and shadows an end.
+    // Casters need light ground before the first letter, and shadows must end on light
+    // ground.
     const double margin = 0.08 * std::max(page.width, page.height);
     page = {page.left - margin, page.top - margin, page.width + 2.0 * margin,
             page.height + 2.0 * margin};

@@ -25,8 +25,8 @@ double LightFrame::row_at(GridPoint p) const {
 }
 
 Cell cell_of(GridPoint p) {
-    // Not lround: a library call for each of the millions of samples that the search for
-    // an azimuth takes.
+    // lround() would be a library call for each of the millions of samples that the
+    // search for an azimuth takes.
     return {static_cast<int>(std::floor(p.x + 0.5)),
             static_cast<int>(std::floor(p.y + 0.5))};
 }
@@ -70,7 +70,8 @@ std::vector<Run> runs_of(const Field<std::uint8_t>& rotated) {
 }
 
 double shortest_azimuth(const Field<std::uint8_t>& image) {
-    // Half a turn: light the other way casts runs as long.
+    // Half a turn is enough, because light in the opposite direction has shadows of the
+    // same length.
     constexpr int kCandidates = 36;
     double best = 0.0;
     int shortest = image.width() + image.height();

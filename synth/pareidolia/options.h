@@ -12,17 +12,17 @@
 
 namespace cydonia::pareidolia {
 
-// Where the image lies on the terrain. Its proportions are kept: at scale 1 it is as
-// large as fits the extent.
+// Where the image lies on the terrain. Its proportions are kept, and at scale 1 it is as
+// large as the extent allows.
 struct Placing {
-    // Of its middle, from the south-west corner, as shares of the extent (0.5: the
-    // middle).
+    // The position of its middle from the south-west corner, as shares of the extent; 0.5
+    // is the middle.
     std::array<double, 2> position{0.5, 0.5};
     double scale = 1.0;
     double rotation = 0.0;  // radians, clockwise seen from above
 };
 
-// What of a picture is shadow.
+// Which parts of a picture are shadow.
 enum class Reading {
     kDark,        // darker than the threshold
     kAlpha,       // more opaque than the threshold
@@ -38,9 +38,10 @@ struct ImageOptions {
     double threshold = 0.5;  // 0 to 1
     bool invert = false;     // what would be lit is shadow
     Placing placing = {};
-    // Radians; none: "auto", by the shortest longest run.
+    // Radians; none is "auto", the azimuth whose longest shadow is shortest.
     std::optional<double> azimuth = {};
-    // Radians; none: "auto", the highest sun whose longest shadow fits the height budget.
+    // Radians; none is "auto", the highest sun whose longest shadow fits the height
+    // budget.
     std::optional<double> elevation = radians(25.0);
     double min_iou = 0.85;  // the check fails below
 };
@@ -50,7 +51,7 @@ enum class Solver {
     kConstrained,  // the base bent as little as the image allows
 };
 
-// What stands inside the lit holes of an image.
+// What makes the lit holes of an image.
 enum class Holes {
     kCrests,     // crests at every start of shadow (Rusnell 2009, section 5.3.1)
     kIterative,  // points just above the shadow line (section 5.3.2)
@@ -67,7 +68,7 @@ struct FeaturesOptions {
     Holes holes = Holes::kCrests;
 };
 
-// What the bent land strives for, each against the others; 0 leaves it out.
+// The weights of what the bent land should be; 0 leaves a goal out.
 struct ConstrainedOptions {
     double faithful = 1.0;       // shadows deep and crisp, light parts bright
     double natural = 1.0;        // slopes and curvature of the base
@@ -78,8 +79,8 @@ struct ConstrainedOptions {
 struct Options {
     Solver solver = Solver::kFeatures;  // always named in scene files
     std::vector<ImageOptions> images;   // 1 to 4; exactly one for kFeatures
-    // Metres that the longest shadow's light may fall; none: what the base's relief
-    // allows.
+    // How far, in metres, the light of the longest shadow may fall; none is as far as the
+    // base's relief allows.
     std::optional<double> height_budget;
     FeaturesOptions features;
     ConstrainedOptions constrained;

@@ -32,7 +32,8 @@ Field<float> as_read(const Field<Rgba8>& image, Reading reading) {
                                       : each(image, grey_over_white);
 }
 
-// Stretched so that the threshold comes to stand at a half; a half leaves all as it is.
+// Stretches the values so that the threshold becomes a half; a threshold of a half
+// changes nothing.
 void put_at_half(Field<float>& lightness, double threshold) {
     if (threshold == 0.5) return;
     for (float& l : lightness)
@@ -64,8 +65,7 @@ struct Pixels {
 };
 constexpr Pixels kAny{16384, 16384};
 
-// Drawn four times finer than asked, where that is not too much, but not with more than
-// `most` pixels.
+// Draws the picture four times as fine as requested, but with at most `most` pixels.
 template <class Draw>
 auto supersampled(const Draw& draw, const ImageOptions& options, Pixels most = kAny) {
     return [draw, options, most](int width, int height) {

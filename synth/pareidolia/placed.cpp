@@ -46,7 +46,7 @@ Field<float> placed(const Picture& picture, const Frame& frame, int width, int h
 
     const Size size = finest(picture, frame);
     const Field<float> image = picture.lightness(size.width, size.height);
-    // From cells about the frame's middle to pixels of the image.
+    // Turns cells, counted from the frame's middle, into pixels of the image.
     const double c = std::cos(frame.rotation), s = std::sin(frame.rotation);
     const double across = size.width / frame.width, down = size.height / frame.height;
     const auto lightness = [&](double x, double y) {
@@ -55,7 +55,7 @@ Field<float> placed(const Picture& picture, const Frame& frame, int width, int h
         if (u < 0.0 || v < 0.0 || u > size.width || v > size.height) return 1.0f;
         return bilinear(image, u - 0.5, v - 0.5);
     };
-    // A finer image needs no finer samples than it has pixels.
+    // The samples need not be finer than the image's pixels.
     const int samples = std::clamp(
         static_cast<int>(std::ceil(std::max(across, down) - 1e-6)), 2, kSamples);
     const double reach = 0.5 * std::hypot(frame.width, frame.height) + 1.0;

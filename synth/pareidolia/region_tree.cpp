@@ -23,8 +23,9 @@ RegionTree region_tree(const Field<std::uint8_t>& image) {
             shadow.at<std::uint8_t>(y + 1, x + 1) = image(x, y) ? 1 : 0;
     const cv::Mat dark = labels_of(shadow, 8), lit = labels_of(1 - shadow, 4);
 
-    // The library's labels are in no order that it promises: regions are numbered as they
-    // are met. The first cell of a region, row by row, has what surrounds it on its left.
+    // OpenCV does not promise an order of its labels, so that regions are numbered in
+    // reading order. To the left of a region's first cell is the region that surrounds
+    // it.
     RegionTree tree;
     tree.regions.push_back({});
     std::vector<int> of_dark(static_cast<std::size_t>(width) * height + 2, -1);

@@ -13,19 +13,19 @@ namespace cydonia::pareidolia {
 struct RegionTree {
     static constexpr int kBackground = 0;  // the root, light; goes on beyond the frame
 
-    struct Region {
+    struct Node {
         int parent = -1;  // -1: none, the background
         int depth = 0;
     };
-    std::vector<Region> regions;  // each after its parent
-    Field<int> region_at;         // of each cell
+    std::vector<Node> regions;  // each after its parent
+    Field<int> region_at;       // of each cell
 
     int depth_at(std::size_t cell) const { return regions[region_at[cell]].depth; }
 };
 
-// Shadow (1) holds together by corners too, light (0) by sides only: so no two regions
-// cross and the regions form a tree. A region that touches the frame is surrounded by
-// the background there, and light that touches it is background.
+// Shadow (1) is connected across corners as well, light (0) across sides only, so that no
+// two regions cross and the regions form a tree. A region that touches the frame is
+// surrounded by the background there, and light that touches the frame is background.
 RegionTree region_tree(const Field<std::uint8_t>& image);
 
 }  // namespace cydonia::pareidolia

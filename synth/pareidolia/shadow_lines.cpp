@@ -14,13 +14,13 @@ namespace {
 // with the light: level over shadow, rising over holes.
 class RowLines {
   public:
-    // What the line gains where it enters a hole and with every sample in it.
+    // The heights that the line gains where it enters a hole and with every sample in it.
     RowLines(std::span<const std::uint8_t> depths, double enter, double gain,
              std::span<double> line)
         : depths_(depths), enter_(enter), gain_(gain), line_(line) {}
 
-    // A shadow of depth `level` over samples [first, past), its holes filled, that ends
-    // at `end`.
+    // A shadow of depth `level` over the samples [first, past), with its holes filled,
+    // that ends at `end`.
     void lay_shadow(int first, int past, int level, double end) {
         double at = end;
         each_deeper(first, past, level,
@@ -36,7 +36,7 @@ class RowLines {
     }
 
   private:
-    // A hole, its islands filled, whose ground begins at `start`.
+    // A hole, with its islands filled, whose ground begins at `start`.
     void lay_hole(int first, int past, int level, double start) {
         for (int i = first; i < past; ++i) line_[i] = start + gain_ * (i - first);
         each_deeper(first, past, level, [&](int from, int to) {
@@ -44,7 +44,7 @@ class RowLines {
         });
     }
 
-    // Calls visit(first, past) for what lies deeper than `level`.
+    // Calls visit(first, past) for the stretches that are deeper than `level`.
     template <class Visit>
     void each_deeper(int first, int past, int level, const Visit& visit) const {
         for (int i = first; i < past; ++i) {
@@ -62,7 +62,7 @@ class RowLines {
 
 Field<std::uint8_t> depths_of(const RegionTree& tree) {
     Field<std::uint8_t> depths(tree.region_at.width(), tree.region_at.height());
-    // Deeper than 253 shadow and light still alternate.
+    // Beyond depth 253 only the alternation of shadow and light is kept.
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const int depth = tree.depth_at(i);
         depths[i] = static_cast<std::uint8_t>(depth < 254 ? depth : 254 + depth % 2);
@@ -70,12 +70,13 @@ Field<std::uint8_t> depths_of(const RegionTree& tree) {
     return depths;
 }
 
-// The ground of holes from what the rows of light say of it. Neighbouring rows differ by
-// the stairs that cells make of an outline; they are smoothed, or the ground would be too
-// rough to be lit.
+// The ground of holes from the rows of light. Neighbouring rows differ by the stairs in
+// the outline of cells. They are smoothed because the ground would otherwise be too rough
+// to be lit.
 class HoleGround {
   public:
-    // What a row says: `level` is the ground over a plane that falls as the ground does.
+    // Adds the value of a row: `level` is the height over a plane that falls as the
+    // ground does.
     HoleGround(int width, int height)
         : levels_(cv::Mat::zeros(height, width, CV_64F)),
           counts_(cv::Mat::zeros(height, width, CV_64F)) {}
@@ -84,7 +85,7 @@ class HoleGround {
         counts_.at<double>(c.y, c.x) += 1.0;
     }
 
-    // Means over a few cells; 0 where no hole is.
+    // Averages over a few cells; 0 where there is no hole.
     Field<double> levels() const {
         Field<double> result(levels_.cols, levels_.rows);
         cv::Mat sums, weights;

@@ -9,12 +9,12 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Shares of the way down to the ground that relief takes under a line of light: never
-// none, or light would graze the ground.
+// The shares of the height between a line of light and the ground by which relief stays
+// below the line. The least is above 0, because light would otherwise graze the ground.
 constexpr double kLeastRelief = 0.05, kRelief = 0.5;
-// A crest takes the cells this far in front of the shadow: two, as on a single line of
-// cells oblique crests have gaps, and off the border itself, where rounding would make
-// teeth.
+// A crest takes the cells at these distances in front of the shadow. There are two,
+// because an oblique crest on a single line of cells has gaps; they keep off the border
+// itself, where rounding would make teeth.
 constexpr double kCrest[] = {0.3, 1.0};
 
 }  // namespace

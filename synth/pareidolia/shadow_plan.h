@@ -7,10 +7,10 @@
 
 namespace cydonia::pareidolia {
 
-// Marks a cell where no feature is.
+// Marks a cell without a feature.
 inline constexpr float kNowhere = -1e30f;
 
-// What an image asks of the land under its sun.
+// What an image requires of the land under its sun.
 struct ShadowPlan {
     const Field<std::uint8_t>* target = nullptr;
     double rise =
@@ -34,23 +34,23 @@ struct ShadowPlan {
 
 ShadowPlan shadow_plan(const ShadowImage& image, double spacing);
 
-// Eq. 5.1 and 5.4: how high the crest of each run stands, metres, over where it ends on
+// Eq. 5.1 and 5.4: the height in metres of the crest of each run above its end on
 // `ground`.
 std::vector<float> crest_heights(const ShadowPlan& plan, const Field<float>& ground);
 
-// Step 6: the cells where shadows start and their heights; kNowhere elsewhere.
+// Step 6: the heights of the cells where shadows start; kNowhere elsewhere.
 Field<float> primary_features(const ShadowPlan& plan, const std::vector<float>& crests);
 
-// The cells where shadows end and the height of `ground` there; kNowhere elsewhere.
+// The height of `ground` in the cells where shadows end; kNowhere elsewhere.
 Field<float> shadow_ends(const ShadowPlan& plan, const Field<float>& ground);
 
-// Under the line of light from crest to end (figure 5.3a) over each shadowed cell, by
-// more where `relief` (0 to 1) says; far above any land elsewhere.
+// A height below the line of light from crest to end (figure 5.3a) over each cell in
+// shadow, the lower the larger `relief` (0 to 1) is. Elsewhere it is far above any land.
 Field<float> shadow_ceiling(const ShadowPlan& plan, const std::vector<float>& crests,
                             const Field<float>& relief);
 
-// Calls visit(cell, cells behind the crest) for the cells under a run, some of them
-// twice.
+// Calls visit(cell, cells behind the crest) for the cells under a run, and twice for some
+// of them.
 template <class Visit>
 void each_cell(const ShadowPlan& plan, const Run& run, const Visit& visit) {
     const GridPoint start = plan.start(run);

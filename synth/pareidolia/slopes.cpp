@@ -4,18 +4,18 @@
 #include <cmath>
 #include <vector>
 
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 namespace cydonia::pareidolia {
 namespace {
 
-// How far in front of a crest land may rise to it freely, of the terrain's width, and how
-// steeply.
+// How far in front of a crest land may rise to it without a limit, as a share of the
+// terrain's width, and how steeply.
 constexpr double kFrontReach = 0.04;
 constexpr float kFrontFactor = 2.0f;
-// Inside a shadow only its line of light is the limit.
+// Inside a shadow only its line of light limits the land.
 constexpr float kInsideFactor = 3.0f;
-// Across the light land may rise from crests this much faster than along it.
+// Across the light land may rise from crests this many times as fast as along it.
 constexpr double kAcross = 1.5;
 
 Field<float> uniform(const ShadowPlan& plan, double factor) {
@@ -27,7 +27,7 @@ void mark_inside(const Field<std::uint8_t>& inside, Field<float>& factor) {
         if (inside[i]) factor[i] = kInsideFactor;
 }
 
-// What each direction's edges are multiplied by, 1 along the light.
+// The factors of the edges in each direction; 1 along the light.
 std::vector<float> across_stretch(const distance::Graph& graph, double across,
                                   const LightFrame& frame) {
     std::vector<float> stretch;
@@ -108,7 +108,7 @@ Field<float> spread(const distance::Graph& graph, const Field<float>& generators
         }
     }
     distance::LeastCost paths(graph);
-    paths.spread(starts, distance::ConstantGrowth{starts, factors});
+    paths.spread(starts, distance::ConstantCostModel{starts, factors});
 
     Field<float> heights(generators.width(), generators.height(), kNowhere);
     if (starts.empty()) return heights;

@@ -22,7 +22,7 @@ cv::Mat blurred(const cv::Mat& image, double sigma) {
     return result;
 }
 
-// A value that this share of the pixels lies below.
+// The value below which this share of the pixels lies.
 float quantile(const cv::Mat& image, double share) {
     std::vector<float> values(image.begin<float>(), image.end<float>());
     const auto at =
@@ -31,7 +31,7 @@ float quantile(const cv::Mat& image, double share) {
     return *at;
 }
 
-// Half of the slow change of light taken out, and the rest stretched over 0 to 1.
+// Removes half of the slow change of light, and stretches the rest over 0 to 1.
 cv::Mat evenly_lit(const cv::Mat& photograph) {
     cv::Mat even = photograph - 0.5 * blurred(photograph, kLight);
     const float black = quantile(even, 0.01), white = quantile(even, 0.99);
@@ -39,8 +39,8 @@ cv::Mat evenly_lit(const cv::Mat& photograph) {
     return cv::max(cv::min(even, 1.0), 0.0);
 }
 
-// Flat where there is no edge: bilateral filter, several times (Winnemoeller et al. 2006,
-// "Real-time video abstraction").
+// Flattens everything but edges with a bilateral filter, several times (Winnemoeller et
+// al. 2006, "Real-time video abstraction").
 cv::Mat flattened(cv::Mat image) {
     for (int pass = 0; pass < 2; ++pass) {
         cv::Mat flat;
@@ -50,22 +50,22 @@ cv::Mat flattened(cv::Mat image) {
     return image;
 }
 
-// Otsu 1979: the threshold that tells two classes best apart.
+// Otsu 1979: the threshold that separates two classes best.
 double otsu(const cv::Mat& image) {
     cv::Mat levels, unused;
     image.convertTo(levels, CV_8U, 255.0);
     return cv::threshold(levels, unused, 0.0, 255.0, cv::THRESH_OTSU) / 255.0;
 }
 
-// Extended difference of Gaussians (Winnemoeller et al. 2012, eq. 7): the image with its
-// edges raised, so that one threshold keeps dark areas and contours.
+// Extended difference of Gaussians (Winnemoeller et al. 2012, eq. 7): emphasises the
+// edges of the image, so that one threshold keeps dark areas and contours.
 cv::Mat with_edges(const cv::Mat& image) {
     constexpr double kWider = 1.6, kStrength = 18.0;  // k, p
     return (1.0 + kStrength) * blurred(image, kLine) -
            kStrength * blurred(image, kWider * kLine);
 }
 
-// Islands of either tone smaller than a speck go over to the other one.
+// Islands of either tone that are smaller than a speck take the other tone.
 void remove_specks(cv::Mat& ink) {
     for (int tone = 0; tone < 2; ++tone) {
         cv::Mat labels, figures, centres;
@@ -98,7 +98,7 @@ Field<float> stencil(const Field<float>& photograph, double darkness) {
     const cv::Mat edges = with_edges(flat);
     const double threshold = otsu(flat) + (darkness - 0.5);
     cv::Mat ink = edges < threshold;
-    // Smooth outlines: what most of the neighbourhood is.
+    // Smooths the outlines: each pixel takes the tone of most of its neighbourhood.
     cv::Mat soft;
     ink.convertTo(soft, CV_32F, 1.0 / 255.0);
     ink = blurred(soft, kOutline) > 0.5;

@@ -6,9 +6,10 @@ namespace cydonia::pareidolia {
 
 inline constexpr int kStencilSide = 768;  // pixels along the longer side of the drawing
 
-// A photograph (luma, 0 to 1) as a drawing in two tones with clean outlines: how light it
-// is, below a half where ink goes. `darkness`, 0 to 1, says how much of it that is; 0.5
-// lets the photograph decide. The drawing's size does not depend on the photograph's.
+// Turns a photograph (luma, 0 to 1) into a drawing in two tones with clean outlines. The
+// result is its lightness, which is below a half where there is ink. `darkness`, 0 to 1,
+// sets how much ink there is; at 0.5 the photograph decides. The drawing's size does not
+// depend on the photograph's.
 Field<float> stencil(const Field<float>& photograph, double darkness);
 
 }  // namespace cydonia::pareidolia

@@ -25,7 +25,7 @@ double total(const Field<float>& values) {
     return sum;
 }
 
-// What of the picture's shadow, in cells, becomes of it on the land.
+// What becomes of the picture's shadow on the land, in cells.
 struct Ink {
     double drawn = 0.0;     // as if the land had no end and cells no size
     double on_land = 0.0;   // of it
@@ -66,7 +66,7 @@ Ink ink_of(const Picture& picture, const Frame& frame,
     return ink;
 }
 
-// Why a picture may hold no shadow, or nothing else.
+// Why a picture may have no shadow, or nothing but shadow.
 std::string reading_hint(const ImageOptions& options, bool all_shadow) {
     if (!options.target) return "";
     if (options.reading == Reading::kAlpha && all_shadow)

@@ -57,7 +57,7 @@ struct Feature {
     bool relative = true;  // to the land that is there
     // How far from the way the landform ends, left and right; without it as far as the
     // shoulders of a silhouette in a view are long, else half as far as a slope of 30
-    // degrees would reach (notes.md, Gain 2009, 2).
+    // degrees would reach (docs/papers.md, Gain 2009, 2).
     std::optional<std::array<Length, 2>> boundary = {};
     std::optional<Way> boundary_curve = {};  // instead, drawn around the way
     std::vector<Hold> holds = {};

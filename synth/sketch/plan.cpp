@@ -15,7 +15,7 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kTypicalSlope = 30.0;  // degrees (notes.md, Gain 2009, 2)
+constexpr double kTypicalSlope = 30.0;  // degrees (docs/papers.md, Gain 2009, 2)
 constexpr double kMostValues = 65536.0;
 constexpr std::size_t kMostWays = 256;  // of a landform
 

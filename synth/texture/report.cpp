@@ -14,7 +14,7 @@
 namespace cydonia::texture {
 namespace {
 
-// Cells whose height no exemplar has (notes.md, Gain 6).
+// Cells whose height no exemplar has (docs/papers.md, Gain 6).
 Field<float> outside_range(const Field<float>& heights, const Database& database) {
     Field<float> outside(heights.width(), heights.height());
     for (std::size_t i = 0; i < heights.size(); ++i)

@@ -19,9 +19,9 @@ Terrain small_land() {
     ShadowImage image{"text", Field<std::uint8_t>(5, 3, 1), {1.0, 0.5}, 0.9};
     image.target(0, 0) = 0;
     image.window = Field<std::uint8_t>(5, 3, 1);
-    image.given_up = Field<std::uint8_t>(5, 3);
+    image.relaxed = Field<std::uint8_t>(5, 3);
     image.window(1, 0) = 0;
-    image.given_up(2, 1) = 1;
+    image.relaxed(2, 1) = 1;
     land.shadows = {image};
     land.figures = {{"rim: error, m", 1.25}, {"share", -0.0}};
     land.pictures["sources"] = Field<Rgb8>(7, 2, Rgb8{1, 2, 3});
@@ -51,7 +51,7 @@ TEST(Cache, GivesBackTheWholeTerrain) {
     EXPECT_EQ(back->shadows[0].sun, land.shadows[0].sun);
     EXPECT_EQ(back->shadows[0].min_iou, 0.9);
     EXPECT_EQ(back->shadows[0].window, land.shadows[0].window);
-    EXPECT_EQ(back->shadows[0].given_up, land.shadows[0].given_up);
+    EXPECT_EQ(back->shadows[0].relaxed, land.shadows[0].relaxed);
     EXPECT_EQ(back->figures, land.figures);
     EXPECT_EQ(back->pictures, land.pictures);
 }

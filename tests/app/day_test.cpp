@@ -26,7 +26,7 @@ render::CameraOptions camera() { return render::default_cameras().front(); }
 
 FramesSpec at_lucerne(const Date& date) {
     FramesSpec frames;
-    frames.place = Place{radians(47.05), radians(8.3)};
+    frames.place = GeographicPosition{radians(47.05), radians(8.3)};
     frames.date = date;
     frames.time_zone = 2.0;
     return frames;

@@ -64,7 +64,7 @@ TEST_F(Broken, TextThatIsNotUtf8) {
     EXPECT_EQ(complaint(scene), "");
     for (const char* bad : {"\xff", "a\xc3", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
         EXPECT_NE(complaint(scene, {std::string("terrain.stage[1].image[0].text=") + bad})
-                      .find("text that is not UTF-8"),
+                      .find("expected text in UTF-8"),
                   std::string::npos);
 }
 
@@ -96,8 +96,9 @@ TEST_F(Broken, ManyMistakesAreCutShort) {
 }
 
 TEST_F(Broken, TextWithLineBreaks) {
-    EXPECT_EQ(complaint("title = \"a\\nb\"\n" + kLeastScene),
-              "scene.toml:1:9: title: text with line breaks or other control characters");
+    EXPECT_EQ(
+        complaint("title = \"a\\nb\"\n" + kLeastScene),
+        "scene.toml:1:9: title: expected one line of text without control characters");
     EXPECT_NE(complaint(kLeastScene + "region = [{ image = \"ridges\\u0000.svg\" }]\n"),
               "");
 }

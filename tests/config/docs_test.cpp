@@ -81,7 +81,7 @@ std::string in_plain_scene(std::string table, const std::string& stage) {
     return table;
 }
 
-// A camera whose keys only its kind has.
+// A camera of the kind that has the key.
 std::string camera_for(const std::string& path) {
     for (const char* key : {"eye_height", "heading", "pitch"})
         if (path == std::string("render.camera[0].") + key)
@@ -93,8 +93,7 @@ std::string camera_for(const std::string& path) {
     return "";
 }
 
-// What else must be set where a key is allowed only then: another key of its table, and
-// its value.
+// For keys that are allowed only with another one: that key of the table, and its value.
 std::string needed_for(const std::string& path) {
     const std::pair<const char*, const char*> needs[] = {
         {"cost.azimuth", "kind=gaussian"}, {"cost.centre", "kind=distance"},
@@ -214,7 +213,7 @@ TEST_F(Docs, WorkedExamplesRead) {
     EXPECT_EQ(examples.size(), 3u);
 }
 
-// Those that are parts of a texture stage too, which then is made of Jacksboro.
+// Blocks may also be parts of a texture stage, whose exemplar is then Jacksboro.
 TEST_F(Docs, YourOwnMountainsRead) {
     const auto home = folder_ / "home";
     std::filesystem::create_directories(folder_ / "dems");

@@ -1,4 +1,4 @@
-// The looks that ship, and what a look of one's own may say.
+// The looks that ship, and looks of the user.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ Terrain plane(double slope) {
     return terrain;
 }
 
-// Hills of 2 km across, some steep.
+// Hills 2 km across, some of them steep.
 Terrain hills(int samples) {
     Terrain terrain;
     terrain.spacing = 8000.0 / samples;
@@ -102,8 +102,8 @@ TEST_F(Looks, EveryMaterialIsOfALook) {
     }
 }
 
-// The same place has the same colour, however many samples the land has: colours agree
-// but for what the finer land shows more.
+// A place has the same colour for every number of samples, except for the detail that
+// finer land adds.
 TEST_F(Looks, AreTheSameForAnyNumberOfSamples) {
     for (const std::string name : {"natural", "alpine", "desert", "green"}) {
         const GroundOptions look = ground("look = \"" + name + "\"");
@@ -160,7 +160,7 @@ TEST_F(Looks, NoSnowLiesUnderWater) {
     for (const Rgb& c : ground_albedo(terrain, snowy, 1)) EXPECT_LT(luminance(c), 0.3f);
 }
 
-// A look begins the light; the scene's own tables have the last word.
+// A look gives the defaults of the light, and the scene's own tables override them.
 TEST_F(Looks, BeginTheLight) {
     const auto render = [&](const std::string& keys) {
         return load(kLeastScene + "[render]\n" + keys).at(0).render;
@@ -175,7 +175,7 @@ TEST_F(Looks, BeginTheLight) {
         0.5);
 }
 
-// What a cache key is made of changes with the look's own bytes.
+// The text of a cache key changes with the bytes of the look.
 TEST_F(Looks, FilesArePartOfTheKey) {
     const auto key = [&](const std::string& stone) {
         std::ofstream(folder_ / "mine.toml") << "[[layer]]\nmaterial = \"stone.toml\"\n";

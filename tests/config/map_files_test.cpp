@@ -1,4 +1,4 @@
-// Maps of terrain types, as files of four forms.
+// Maps of terrain types in the formats that are text.
 #include "config/reader/map.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,8 @@ TEST_F(MapFile, BadToml) {
     const auto refused = [&](const std::string& text, std::string_view words) {
         expect_refused("m.toml", text, words);
     };
-    refused("", "m.toml: it has no regions");
+    refused("",
+            "m.toml: it has no regions; give at least one outline with a terrain type");
     refused("[[region]]\n" + outline, "m.toml:1:1: region[0]: missing key 'type'");
     refused("[[region]]\ntype = \"plain\"\n", "region[0]: missing key 'outline'");
     refused("[[region]]\ntype = \"plain\"\noutline = [[0, 0], [1, 1]]\n",
@@ -76,7 +77,7 @@ TEST_F(MapFile, BadToml) {
             "did you mean 'type'?");
     refused("smoothness = 2\n[[region]]\ntype = \"plain\"\n" + outline, "m.toml:1:");
     refused("window = [3, 0, 1, 1]\n[[region]]\ntype = \"plain\"\n" + outline,
-            "its window is west, south, east, north");
+            "its window must be west, south, east and north");
     refused("[[region]\n", "m.toml:1:");
 }
 
@@ -114,27 +115,32 @@ TEST_F(MapFile, BadGeoJson) {
         return feature(R"({"type":"plain"})",
                        R"({"type":"Polygon","coordinates":)" + rings + "}");
     };
-    refused("{\n\"type\": \n]", "m.geojson:3: ");
-    refused("[]", "expected a FeatureCollection");
-    refused("3", "expected a FeatureCollection");
-    refused(R"({"type":"FeatureCollection"})", "array 'features'");
-    refused(R"({"type":"FeatureCollection","features":[]})", "it has no regions");
+    refused("{\n\"type\": \n]", "m.geojson: GDAL cannot read it as GeoJSON");
+    refused("[]", "with a FeatureCollection or a Feature");
+    refused("3", "with a FeatureCollection or a Feature");
+    refused("{\"type\":\"FeatureCollection\",\"features\":[\n]", "line 2, character");
+    refused(R"({"type":"FeatureCollection"})", "Missing 'features' member");
+    refused(R"({"type":"FeatureCollection","features":[]})",
+            "it has no regions; give at least one outline with a terrain type");
     refused(R"({"type":"FeatureCollection","features":[7]})",
-            "feature 1: has no geometry");
-    refused(feature("{}", R"({"type":"Polygon","coordinates":[]})"),
-            "feature 1: its properties need a 'type'");
-    refused(polygon("7"), "its coordinates are no array");
-    refused(polygon("[]"), "feature 1: has no outline");
-    refused(polygon("[7]"), "a ring is an array");
-    refused(polygon("[[7]]"), "[east, north]");
-    refused(polygon(R"([[[0,0],["a",0],[0,5],[0,0]]])"), "[east, north]");
+            "it has no regions; give at least one outline with a terrain type");
+    refused(
+        feature("{}", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"),
+        "feature 1: it needs an attribute 'type'");
+    refused(polygon("7"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[7]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon("[[7]]"), "feature 1: it is of type 'plain' but has no outline");
+    refused(polygon(R"([[[0,0],["a",0],[0,5],[0,0]]])"), "Invalid 'x' coordinate");
+    refused(polygon(R"([[[0,0],[4,0],[0,4],[0,0]],[[0,0],["a",0],[0,5],[0,0]]])"),
+            "Invalid 'x' coordinate");
     refused(polygon("[[[0,0],[1e300,0],[0,5],[0,0]]]"), "more than 1e9 away");
-    refused(polygon("[[[0,0],[1,0],[0,0]]]"), "at least four positions");
-    refused(polygon("[[[0,0],[1,0],[1,1],[0,1]]]"), "ends where it begins");
+    refused(polygon("[[[0,0],[1,0],[0,0]]]"), "fewer than four corners");
+    refused(polygon("[[[0,0],[1,0],[1,1],[0,1]]]"), "does not end where it begins");
     refused(feature(R"({"type":"pl\nain"})",
                     R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"),
-            "need a 'type'");
-    refused(std::string(200000, '['), "m.geojson:1: ");
+            "needs an attribute 'type'");
+    refused(std::string(200000, '['), "m.geojson: ");
 }
 
 // Figure V.10.
@@ -169,7 +175,7 @@ TEST_F(MapFile, BadThesisForm) {
     refused(corners + "tt plain\nf 1 2 3x\n", "m.map:5: there is no corner '3x'");
     refused(corners + "tt plain\nf 1 2 -9223372036854775808\n", "m.map:5: there is no");
     refused(corners + "usemtl plain\n", "m.map:4: unknown record 'usemtl'");
-    refused(corners, "it has no regions");
+    refused(corners, "it has no regions; give at least one outline with a terrain type");
 }
 
 std::string drawing(const std::string& shapes) {
@@ -208,7 +214,7 @@ TEST_F(MapFile, OpenSvgPathsAreClosed) {
     EXPECT_EQ(map.regions[0].outlines[0].size(), 3u);
 }
 
-// Fills that CSS has words for.
+// Fills with the colour names of CSS.
 TEST_F(MapFile, SvgColoursByName) {
     library.types[0].colour = {0, 128, 0};
     const MapOptions map = load(
@@ -218,7 +224,8 @@ TEST_F(MapFile, SvgColoursByName) {
 
 TEST_F(MapFile, BadSvg) {
     expect_refused("m.svg", "<svg", "m.svg");
-    expect_refused("m.svg", drawing(""), "it has no regions");
+    expect_refused("m.svg", drawing(""),
+                   "it has no regions; give at least one outline with a terrain type");
     expect_refused("m.svg",
                    drawing(R"(<rect id="pond" width="9" height="9" fill="#0000ff"/>)"),
                    "pond: the colour #0000ff is no type's");
@@ -226,7 +233,8 @@ TEST_F(MapFile, BadSvg) {
 }
 
 TEST_F(MapFile, OtherFiles) {
-    expect_refused("m.png", "x", "a map is a .toml, .geojson, .svg or .map file");
+    expect_refused("m.png", "x",
+                   "a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file");
     EXPECT_THROW(load_map(folder / "none.map", library), Error);
     EXPECT_EQ(load("M.MAP", "v 0 0\nv 1 0\nv 0 1\ntt plain\nf 1 2 3\n").regions.size(),
               1u);
@@ -242,7 +250,7 @@ TEST_F(MapFile, SizesAreBounded) {
     EXPECT_THROW(load("m.map", std::string((16u << 20) + 1, '#')), Error);
 }
 
-// Bytes of good files, some of them changed: a map or our own message.
+// Good files with some bytes changed give a map or our own message.
 TEST_F(MapFile, SpoiltFilesEndInAMapOrAMessage) {
     const std::vector<std::pair<std::string, std::string>> good = {
         {"m.toml",
@@ -304,7 +312,7 @@ TEST_F(SeamFile, Toml) {
     EXPECT_EQ(library.types[0].colour, (std::array<std::uint8_t, 3>{16, 32, 48}));
 }
 
-// Types without a colour get one of their own.
+// Types without a colour get different ones.
 TEST_F(SeamFile, ColoursDiffer) {
     std::string text;
     for (int i = 0; i < 64; ++i)
@@ -320,9 +328,10 @@ TEST_F(SeamFile, BadToml) {
     const auto refused = [&](const std::string& text, std::string_view words) {
         expect_refused("l.toml", kTypes + text, words);
     };
-    refused("[[seam]]\nbetween = [\"plain\"]\nsmoothness = 0.3\n", "names two types");
+    refused("[[seam]]\nbetween = [\"plain\"]\nsmoothness = 0.3\n",
+            "must name two different types");
     refused("[[seam]]\nbetween = [\"plain\", \"plain\"]\nsmoothness = 0.3\n",
-            "names two types");
+            "must name two different types");
     refused("[[seam]]\nbetween = [\"plain\", \"hils\"]\nsmoothness = 0.3\n",
             "did you mean 'hills'?");
     refused("[[seam]]\nbetween = [\"plain\", \"hills\"]\nsmoothness = 1.3\n",

@@ -55,9 +55,10 @@ TEST_F(Maps, TheThesisOwnWrong) {
               "a.map:3: a face has at least three corners");
     EXPECT_EQ(wrong("a.map", "vt 0 0\n"),
               "a.map:1: unknown record 'vt'; known: v, tt, f");
-    EXPECT_EQ(wrong("a.map", "# nothing\n"), "a.map: it has no regions");
+    EXPECT_EQ(wrong("a.map", "# nothing\n"),
+              "a.map: it has no regions; give at least one outline with a terrain type");
     EXPECT_EQ(wrong("a.txt", "v 0 0\n"),
-              "a.txt: a map is a .toml, .geojson, .svg or .map file");
+              "a.txt: a map is a .toml, .svg, .geojson, .shp, .gpkg or .map file");
 }
 
 TEST_F(Maps, Toml) {
@@ -94,26 +95,30 @@ TEST_F(Maps, GeoJsonWrong) {
     EXPECT_NE(wrong("a.geojson", "{\"type\":"), "");
     EXPECT_NE(wrong("a.geojson", "\xff\xfe{}"), "");
     EXPECT_EQ(wrong("a.geojson", "[]"),
-              "a.geojson: expected a FeatureCollection or a Feature");
+              "a.geojson: GDAL cannot read it as GeoJSON with a FeatureCollection or a "
+              "Feature");
     const auto feature = [&](const std::string& properties, const std::string& geometry) {
         return wrong("a.geojson", R"({"type":"Feature","properties":)" + properties +
                                       R"(,"geometry":)" + geometry + "}");
     };
-    EXPECT_EQ(feature("null", R"({"type":"Polygon","coordinates":[]})"),
-              "a.geojson: feature 1: its properties need a 'type', a terrain type of the "
-              "library");
+    EXPECT_EQ(feature("null", R"({"type":"Polygon","coordinates":)"
+                              R"([[[0,0],[1,0],[1,1],[0,0]]]})"),
+              "a.geojson: feature 1: it needs an attribute 'type' that names a terrain "
+              "type of the library");
     EXPECT_EQ(feature(R"({"type":"plain"})", R"({"type":"Polygon"})"),
-              "a.geojson: feature 1: its coordinates are no array");
+              "a.geojson: Invalid Polygon object. Missing 'coordinates' member.");
     EXPECT_EQ(
         feature(R"({"type":"plain"})", R"({"type":"Polygon","coordinates":[[[0]]]})"),
-        "a.geojson: feature 1: a position is [east, north]");
+        "a.geojson: feature 1: it is of type 'plain' but has no outline that can be "
+        "read; draw its polygon or delete the feature");
     EXPECT_EQ(feature(R"({"type":"plain"})",
                       R"({"type":"Polygon","coordinates":[[[0,0],[1,1],[0,0]]]})"),
-              "a.geojson: feature 1: a ring has at least four positions");
+              "a.geojson: feature 1: a ring has fewer than four corners, the first "
+              "repeated at its end included");
     EXPECT_EQ(
         feature(R"({"type":"plain"})",
                 R"({"type":"Polygon","coordinates":[[[0,1e300],[1,1],[0,0],[0,1]]]})"),
-        "a.geojson: feature 1: a position lies more than 1e9 away");
+        "a.geojson: feature 1: a corner lies more than 1e9 away from the origin");
     std::string deep(100000, '[');
     EXPECT_NE(wrong("a.geojson", deep), "");
 }

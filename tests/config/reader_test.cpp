@@ -200,7 +200,7 @@ TEST_F(Reader, FullSceneOfFrames) {
     EXPECT_EQ(f.rate, 30.0);
     EXPECT_EQ(f.pace, FramesSpec::Pace::kEven);
     EXPECT_EQ(f.camera, "low");
-    EXPECT_EQ(f.place, (Place{radians(47.05), radians(8.3)}));
+    EXPECT_EQ(f.place, (GeographicPosition{radians(47.05), radians(8.3)}));
     EXPECT_EQ(f.date, (Date{2026, 6, 21}));
     EXPECT_EQ(f.time_zone, 2.0);
     const std::string place = "[frames]\nplace = { latitude = 1, longitude = 2 }\n";

@@ -34,7 +34,7 @@ class SceneFile : public testing::Test {
         std::ofstream(file_, std::ios::binary) << text;
         return Scene::load(file_, overrides);
     }
-    // What load() complains about, without the file's folder; empty when it is content.
+    // The message of load() without the file's folder; empty when the scene is accepted.
     std::string complaint(const std::string& text,
                           const std::vector<std::string>& overrides = {}) {
         try {
@@ -56,7 +56,7 @@ class SceneFile : public testing::Test {
     const std::filesystem::path file_ = folder_ / "scene.toml";
 };
 
-// The least scene: what a stage needs, and nothing else.
+// The smallest scene, with only what a stage needs.
 inline const std::string kLeastScene =
     "[[terrain.stage]]\n"
     "method = \"distance\"\n"

@@ -1,4 +1,4 @@
-// The JSON Schema that the readers make of themselves, against every scene that ships.
+// The JSON Schema that the readers make, compared with every scene that ships.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-// A document as an editor hands it to a schema.
+// A document as an editor passes it to a schema.
 Json json_of(const Value& value) {
     const auto plain = [](const auto& data) -> Json {
         using Data = std::remove_cvref_t<decltype(data)>;
@@ -50,7 +50,7 @@ Json full() {
     return scene_in(fs::path(CYDONIA_SOURCE_DIR) / "tests/golden/config/full.toml");
 }
 
-// With one value put in at a path such as "/render/camera/0/kind".
+// The document with one value inserted at a path such as "/render/camera/0/kind".
 std::string complaint_with(const std::string& path, const Json& value) {
     Json scene = full();
     scene[Json::json_pointer(path)] = value;
@@ -71,7 +71,7 @@ TEST(Schema, EverySceneThatShipsIsValid) {
     EXPECT_GT(count, 20);
 }
 
-// The scene that uses every key: none is missing from the schema.
+// The scene that uses every key finds all of them in the schema.
 TEST(Schema, EveryKeyIsThere) { EXPECT_EQ(validator().complaint(full()), ""); }
 
 TEST(Schema, UnknownKeysAreRefusedEverywhere) {

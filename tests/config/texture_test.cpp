@@ -27,7 +27,7 @@ class TextureStage : public SceneFile {
     Options stage(const std::string& keys) {
         return std::get<Options>(scene(keys).stages.at(0).options);
     }
-    // What is wrong with a stage of one exemplar and these keys.
+    // The message for a stage with one exemplar and these keys.
     std::string wrong(const std::string& keys) {
         return complaint(kStage + "exemplars = 'fell.tif'\n" + keys);
     }
@@ -165,9 +165,10 @@ TEST_F(TextureStage, HeightsVaryInTime) {
 }
 
 TEST_F(TextureStage, NothingToMakeLandOf) {
-    EXPECT_EQ(complaint(kStage),
-              "scene.toml:1:1: terrain.stage[0].exemplars: nothing to make land of; name "
-              "elevation models, or \"package:jacksboro\" to begin with");
+    EXPECT_EQ(
+        complaint(kStage),
+        "scene.toml:1:1: terrain.stage[0].exemplars: there are no exemplars to make land "
+        "from; name elevation models, or \"package:jacksboro\" to begin with");
 }
 
 TEST_F(TextureStage, FolderWithoutAMatch) {

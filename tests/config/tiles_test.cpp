@@ -9,7 +9,7 @@ const std::string kTexture =
 struct Tiles : SceneFile {
     Tiles() { std::ofstream(folder_ / "fell.tif") << "heights"; }
 
-    // What is wrong with land of these keys and stages.
+    // The message for land with these keys and stages.
     std::string wrong(const std::string& terrain, const std::string& stages = kTexture) {
         return complaint("[terrain]\n" + terrain + stages);
     }
@@ -40,13 +40,14 @@ TEST_F(Tiles, SizesThatBlocksAndFoldersTake) {
     expect_wrong("terrain.tiles: -256 is out of range", "tiles = -256\n");
     expect_wrong("terrain.tiles: 8448 is out of range", "tiles = 8448\n");
     EXPECT_EQ(wrong("samples = 16384\ntiles = 256\n"), "");
-    expect_wrong("tiles: at most 64 a side: let them have 512 samples or more",
-                 "samples = 16385\ntiles = 256\n");
+    expect_wrong(
+        "tiles: at most 64 tiles along a side are possible: set tiles to 512 or more",
+        "samples = 16385\ntiles = 256\n");
 }
 
 TEST_F(Tiles, OneStageThatMakesAnyPartAlone) {
     const std::string tiles = "tiles = 256\n";
-    expect_wrong("one stage that makes it, and details after", tiles,
+    expect_wrong("a first stage that makes it, and only detail stages", tiles,
                  kTexture + kTexture);
     expect_wrong("its paths cross the whole land", tiles, kLeastScene);
     expect_wrong("breach follows", tiles, kTexture + "breach = true\n");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr const char* kUtm = "EPSG:32632";  // metres
 
-// height(x, y) of every cell, on square cells of 10 m unless changed.
+// A model with height(x, y) in every cell. Cells are squares of 10 m unless changed.
 template <class Height>
 Raster raster_of(int width, int height, const Height& height_at) {
     Raster raster{width, height, {{}}, {500000, 10, 0, 5100000, 0, -10}, kUtm};
@@ -102,7 +102,7 @@ TEST(ReadDem, TerrainExrReadsBack) {
 }
 
 TEST(ReadDem, FewVoidsAreInterpolated) {
-    // Of each kind: declared, not a number, infinite, undeclared.
+    // One void of each kind: declared, not a number, infinite, undeclared.
     for (const float hole : {-5000.0f, kNan, INFINITY, -32768.0f, -9999.0f, -3.4e38f}) {
         Raster raster = raster_of(30, 20, slope_of);
         raster.no_data = -5000.0;
@@ -133,7 +133,7 @@ TEST(ReadDem, VoidsAreNamedWhenAskedFor) {
 }
 
 TEST(ReadDem, VoidsMoveWithTheirLand) {
-    // Degrees far in the north: cells are warped to others of another shape.
+    // In the far north cells in degrees are warped to cells of another shape.
     Raster raster = raster_of(60, 60, slope_of);
     raster.transform = {10.0, 0.002, 0, 60.0, 0, -0.001};
     raster.plane = "EPSG:4326";
@@ -285,7 +285,7 @@ TEST(ReadDem, FilesThatAreNoModel) {
     const TemporaryFolder folder;
     expect_error(ExitCode::kBadRequest, "not an elevation model",
                  [&] { read(folder.with("a.tif", "text")); });
-    // A virtual raster may name any file or address: not read.
+    // A virtual raster may name any file or address, and is therefore not read.
     const fs::path tiff = write_tiff(folder / "b.tif", raster_of(4, 4, slope_of));
     const std::string vrt = fmt::format(
         "<VRTDataset rasterXSize='4' rasterYSize='4'><VRTRasterBand dataType='Float32' "
@@ -344,7 +344,7 @@ struct Exemplar {
     double spacing, low, high;
 };
 
-// As their README lists them.
+// The formats that the README lists.
 TEST(ReadDem, Exemplars) {
     const fs::path folder = fs::path(CYDONIA_SOURCE_DIR) / "../shared/exemplars";
     if (!fs::exists(folder)) GTEST_SKIP() << "the exemplar models are not here";

@@ -1,5 +1,4 @@
-// Heights in files for other programs, as readers find them that are not ours: GDAL, and
-// for EXR OpenImageIO.
+// Heights in files for other programs, read by GDAL or, for EXR, by OpenImageIO.
 #include "field/heights_file.h"
 
 #include <OpenImageIO/imageio.h>
@@ -20,7 +19,8 @@ namespace {
 
 constexpr int kWidth = 9, kHeight = 6;
 
-// Rough, the north-western corner the highest and the south-eastern the lowest.
+// Rough land whose north-western corner is highest and whose south-eastern corner is
+// lowest.
 Terrain corner_land() {
     Terrain land{Field<float>(kWidth, kHeight), 12.5, {}, {}, {}};
     for (int y = 0; y < kHeight; ++y)
@@ -33,7 +33,7 @@ Terrain corner_land() {
     return land;
 }
 
-// A file without a header, by GDAL's description of one.
+// Reads a file without a header through a description for GDAL.
 std::vector<float> raw_band(const std::filesystem::path& path, const char* type,
                             int bytes) {
     const auto vrt = path.string() + ".vrt";
@@ -80,7 +80,7 @@ constexpr HeightFormat kAll[] = {
 
 }  // namespace
 
-// Every sample, in its place: a file turned or mirrored fails at the corners.
+// Every sample must be in its place; a rotated or mirrored file fails at the corners.
 TEST_F(Heights, OffsetAndScaleGiveTheMetresToAnotherReader) {
     for (const HeightFormat format : kAll) {
         SCOPED_TRACE(name_of(format));

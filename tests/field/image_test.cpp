@@ -83,7 +83,7 @@ TEST(Exr, ColourIsHalfAndSaysWhichLight) {
     EXPECT_EQ(read_text(folder / "b.exr").find("chromaticities"), std::string::npos);
 }
 
-// The same values give the same bytes on any day.
+// The bytes must not depend on the date.
 TEST(Exr, CarriesNoDate) {
     const TemporaryFolder folder;
     write_exr(folder / "a.exr", ramp(40, 30), "Y");
@@ -138,7 +138,7 @@ TEST(Images, HugeSizeIsRefusedBeforeItIsAllocated) {
         bytes += std::string("\0\0\x40\0\x10\0\0\0\0", 9);  // 16384 rows, 16 bits
         return bytes;
     };
-    // Two checksums as zlib gives them, so that the sizes are believed.
+    // Two right checksums, so that the sizes are accepted.
     folder.with("wide.png", header(16385) + "\xe2\x6b\x4b\xb1" + std::string(4, '\0') +
                                 "IEND\xae\x42\x60\x82");
     const auto start = std::chrono::steady_clock::now();
@@ -152,7 +152,7 @@ TEST(Images, HugeSizeIsRefusedBeforeItIsAllocated) {
                  [&] { read_rgba(open_source(folder / "wide.tif")); });
 }
 
-// One image in every format that we take.
+// The same image in every format that can be read.
 std::vector<fs::path> every_format(const TemporaryFolder& folder) {
     std::mt19937 random(1);
     std::vector<float> noise(96 * 64);

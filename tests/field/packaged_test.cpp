@@ -12,7 +12,7 @@
 namespace cydonia {
 namespace {
 
-// Both packages are in packages.txt.
+// Both packages are listed in packages.txt.
 
 TEST(Packaged, JacksboroIsADissectedPlateau) {
     std::string note;

@@ -12,7 +12,7 @@
 
 namespace cydonia {
 
-// A file written through GDAL, independent of our own writers.
+// Writes a file through GDAL, independently of our own writers.
 struct Raster {
     int width = 0, height = 0;
     std::vector<std::vector<float>> bands;  // row-major
@@ -63,7 +63,7 @@ inline std::filesystem::path write_tiff(const std::filesystem::path& path,
     return path;
 }
 
-// The same through another driver that only copies: PNG, JPEG, AAIGrid.
+// The same through a driver that can only copy: PNG, JPEG, AAIGrid.
 inline std::filesystem::path write_copy(const std::filesystem::path& path,
                                         const char* driver, Raster raster) {
     const auto tiff = write_tiff(path.string() + ".copied", raster);

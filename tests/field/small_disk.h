@@ -6,7 +6,8 @@
 
 namespace cydonia {
 
-// While this stands no file grows beyond `bytes`: writes fail as they do on a full disk.
+// While this object exists no file can grow beyond `bytes`, and writes fail as on a full
+// disk.
 class SmallDisk {
   public:
     explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,5 +1,4 @@
-// Land as a solid: what must be true of it, and what a reader that is not ours finds in
-// its files.
+// Land as a solid: what must be true of it, and what Assimp reads from its files.
 #include "field/solid.h"
 
 #include <gtest/gtest.h>
@@ -23,9 +22,7 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-// Rough, a corner of it high: the north-east.
+// Rough land whose north-eastern corner is high.
 Terrain rough(int width, int height) {
     Terrain terrain{Field<float>(width, height), 10.0, {}, {}, {}};
     std::mt19937 random(1);
@@ -54,7 +51,7 @@ void expect_closed(const Triangles& triangles) {
     }
 }
 
-// By the divergence theorem; positive when the triangles face outward.
+// The volume by the divergence theorem. It is positive when the triangles face outwards.
 double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -64,7 +61,7 @@ double volume(const Mesh& mesh) {
     return sum / 6.0;
 }
 
-// Of prisms over squares split NW-SE, and the plate.
+// The volume of prisms over squares split NW-SE, and of the plate.
 double volume_of_prisms(const Field<float>& heights, const SolidOptions& options) {
     const double low = *std::ranges::min_element(heights);
     const double metres = 10.0 * (std::max(heights.width(), heights.height()) - 1);
@@ -95,7 +92,7 @@ Bounds bounds_of(const Mesh& mesh) {
     return b;
 }
 
-// As Assimp reads the bytes, equal corners joined, in z up.
+// The mesh that Assimp reads from the bytes, with equal corners joined and z up.
 Mesh read_back(const std::string& bytes, MeshFormat format) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(

@@ -83,7 +83,7 @@ TEST(SvgStrokes, ThinStrokeStaysAndStaysConnected) {
 }
 
 TEST(SvgStrokes, StretchedToTheGrid) {
-    // The right half, in each way to give a page its size.
+    // The right half of the page, for each way to give a page its size.
     for (const char* head : {"viewBox='0 0 200 100'", "width='200' height='100'",
                              "width='40' height='20' viewBox='0 0 200 100'"}) {
         const Field<Rgba8> cells = strokes_of(

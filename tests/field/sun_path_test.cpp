@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kNear = 0.05;  // degrees
 
-Place place(double latitude, double longitude) {
+GeographicPosition place(double latitude, double longitude) {
     return {radians(latitude), radians(longitude)};
 }
 
-double noon_elevation(const Place& at, const Date& date) {
+double noon_elevation(const GeographicPosition& at, const Date& date) {
     const SunPath path = sun_path(at, date, 0.0);
     return degrees(path(noon_of(path)).elevation);
 }
@@ -38,18 +38,19 @@ TEST(SunPath, TheExampleOfNrel) {
     const double hour = 12.0 + 30.5 / 60.0 + 7.0;
     EXPECT_NEAR(degrees(solar_time(date, hour).declination), -9.31434, 0.01);
     EXPECT_NEAR(solar_time(date, hour).equation, 14.641503, 0.05);
-    const Place golden = place(39.742476, -105.1786);
+    const GeographicPosition golden = place(39.742476, -105.1786);
     const Sun without_air = sun_at(golden, date, hour, false);
     EXPECT_NEAR(degrees(without_air.elevation), 39.872046, 0.01);
     EXPECT_NEAR(degrees(without_air.azimuth), 194.340241, 0.01);
     EXPECT_NEAR(degrees(sun_at(golden, date, hour).elevation), 90.0 - 50.11162, 0.01);
 }
 
-// The same report, for 17 October by universal time: sunrise 06:12:43 that day and sunset
-// 17:20:19 of the day before by the clock there; the sun's middle is 0.8333 degrees low.
+// The same report for 17 October in universal time: by the local clock, sunrise is at
+// 06:12:43 on that day and sunset at 17:20:19 on the day before. The sun's centre is then
+// 0.8333 degrees below the horizon.
 TEST(SunPath, SunriseAndSunset) {
     const auto day_of = [](const Date& date) {
-        const Place golden = place(39.742476, -105.1786);
+        const GeographicPosition golden = place(39.742476, -105.1786);
         const auto path = [=](double hour) {
             return sun_at(golden, date, hour + 7.0, false);
         };
@@ -102,7 +103,7 @@ TEST(SunPath, TurnsWithTheClockInTheNorthAndAgainstItInTheSouth) {
 }
 
 TEST(SunPath, PolarDayAndNight) {
-    const Place cape = place(71.17, 25.78);
+    const GeographicPosition cape = place(71.17, 25.78);
     const auto day = hours_above(sun_path(cape, {2026, 6, 21}, 2.0), 0.0);
     ASSERT_TRUE(day);
     EXPECT_DOUBLE_EQ(day->to - day->from, 24.0);
@@ -129,18 +130,18 @@ TEST(SunPath, NearestIsTheMomentItself) {
         EXPECT_NEAR(found.hour, hour, 1e-3);
         EXPECT_LT(degrees(found.off), 1e-3);
     }
-    // Never in the north: as near as it comes is where it rises or sets.
+    // The sun is never in the north. It comes nearest where it rises or sets.
     const Approach far = nearest(path, {0.0, radians(10.0)}, *day);
     EXPECT_GT(degrees(far.off), 40.0);
     EXPECT_TRUE(far.hour == day->from || far.hour == day->to);
 }
 
 TEST(SunPath, TheYearFindsTheDay) {
-    const Place at = place(47.0, 8.0);
+    const GeographicPosition at = place(47.0, 8.0);
     const Sun wanted = sun_path(at, {2026, 4, 12}, 1.0)(16.5);
     const auto days = approaches_in(2026, at, 1.0, wanted);
     ASSERT_EQ(days.size(), 365u);
-    // The sun comes by twice a year, as long before the solstice as after.
+    // The sun passes twice a year, as many days before the solstice as after it.
     for (const DayApproach& day : days) {
         const long off = std::abs(day_number(day.date) - day_number({2026, 4, 12}));
         const long mirrored = std::abs(day_number(day.date) - day_number({2026, 8, 30}));

@@ -44,7 +44,7 @@ void expect_points(const std::vector<Point2>& points,
             EXPECT_NEAR(points[i][axis], expected[i][axis], 1e-9) << i;
 }
 
-// How far the points stray from a circle.
+// The greatest distance of the points from a circle.
 double off_circle(const std::vector<Point2>& points, Point2 middle, double radius) {
     double worst = 0.0;
     for (const Point2& p : points)
@@ -92,7 +92,7 @@ TEST(SvgPaths, CircleAndItsArcsAreRound) {
     EXPECT_LT(
         off_circle(points_of("<path d='M50 25a25 25 0 1125 25'/>"), {.75, .25}, .25),
         1e-4);
-    // Too small to reach: the half circle between.
+    // An ellipse that is too small becomes the half circle between the points.
     EXPECT_LT(off_circle(points_of("<path d='M20 50A1 1 0 0 1 80 50'/>"), {.5, .5}, .3),
               1e-4);
 }
@@ -106,7 +106,7 @@ TEST(SvgPaths, BezierCurvesPassWhereTheyShould) {
         EXPECT_GT(points.size(), 20u);
         for (const Point2& p : points) EXPECT_NEAR(p[1], p[0] * (1.0 - p[0]), 1e-8);
     }
-    // The smooth ones mirror the handle before them.
+    // Smooth curves mirror the handle before them.
     expect_points(points_of("<path d='M0 0Q10 10 20 0T40 0'/>"),
                   points_of("<path d='M0 0Q10 10 20 0Q30-10 40 0'/>"));
     expect_points(points_of("<path d='M0 0C0 9 10 10 20 0S30 0 40 0'/>"),
@@ -158,7 +158,8 @@ TEST(SvgPaths, OnlyWhatIsDrawn) {
     EXPECT_EQ(paths[1].id, "own");
 }
 
-// As who draws thinks of them: a layer's label, a group's id, its own.
+// Paths have the names that a user gives: the label of a layer, the id of a group, or
+// their own id.
 TEST(SvgPaths, PathsAreCalledByIdsAndLabelsAroundThem) {
     const auto paths = paths_of(
         "<g xmlns:i='http://www.inkscape.org/namespaces/inkscape' id='layer1' "

@@ -12,7 +12,7 @@
 
 namespace cydonia {
 
-// A folder for one test, gone with it.
+// A folder for one test, which is removed with this object.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -36,7 +36,7 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-// That `act` throws our error with this code and a message that holds `words`.
+// Expects that `act` throws our error with this code and a message that contains `words`.
 template <class Act>
 void expect_error(ExitCode code, std::string_view words, const Act& act) {
     try {
@@ -51,7 +51,8 @@ void expect_error(ExitCode code, std::string_view words, const Act& act) {
     }
 }
 
-// Bytes of strangers end in our error or in a result, never in anything else.
+// Whether `act` succeeds rather than throws our error. Any other exception fails the
+// test.
 template <class Act>
 bool survives(const Act& act) {
     try {

@@ -37,7 +37,7 @@ Field<float> part(const Field<float>& of, int x, int y, int side) {
     return cut;
 }
 
-// From the south-east, so that no writer can count on an order.
+// Writes the parts from the south-east, so that no writer can depend on an order.
 void write_parts(TiledFile& file, const Field<float>& heights, int side) {
     for (int y = (heights.height() - 1) / side * side; y >= 0; y -= side)
         for (int x = (heights.width() - 1) / side * side; x >= 0; x -= side)
@@ -103,7 +103,7 @@ TEST_F(Tiled, SamePartsGiveTheSameBytes) {
     }
 }
 
-// At every size that a disk may end at.
+// The disk is full at various sizes of the file.
 TEST_F(Tiled, FullDiskIsNoticed) {
     for (const Format& format : kFormats) {
         const fs::path path = folder.path() / format.name;

@@ -163,18 +163,18 @@ TEST_F(Check, NamesWhoContradicts) {
     terrain.shadows = {own_shadow(terrain, "one", 0), own_shadow(terrain, "two", 3),
                        own_shadow(terrain, "three", 5)};
     for (ShadowImage& image : terrain.shadows) image.window = Mask(80, 60);
-    terrain.shadows[0].given_up = Mask(80, 60);
+    terrain.shadows[0].relaxed = Mask(80, 60);
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 20; ++x) {
             terrain.shadows[0].window(x, y) = 1;
-            terrain.shadows[0].given_up(x, y) = x < 5;
+            terrain.shadows[0].relaxed(x, y) = x < 5;
             terrain.shadows[1].window(x, y) = x < 2;
             terrain.shadows[2].window(x, y) = x > 2;
         }
     const auto reports = check(terrain, folder_);
-    EXPECT_DOUBLE_EQ(reports[0].given_up, 0.25);
+    EXPECT_DOUBLE_EQ(reports[0].relaxed, 0.25);
     EXPECT_EQ(reports[0].rival, "two");
-    EXPECT_EQ(reports[1].given_up, 0.0);
+    EXPECT_EQ(reports[1].relaxed, 0.0);
     EXPECT_EQ(reports[1].rival, "");
 }
 
@@ -236,8 +236,8 @@ TEST_F(Check, OverlayIsReadByTheColourBlind) {
     terrain.heights = Field<float>(40, 40);
     for (int y = 0; y < 40; ++y) terrain.heights(20, y) = 5.0f;
     terrain.shadows = {own_shadow(terrain, "wall", 5)};
-    Mask& given_up = terrain.shadows[0].given_up = Mask(40, 40);
-    for (int x = 0; x < 40; ++x) given_up(x, 35) = 1;
+    Mask& relaxed = terrain.shadows[0].relaxed = Mask(40, 40);
+    for (int x = 0; x < 40; ++x) relaxed(x, 35) = 1;
     check(terrain, folder_);
     const auto drawn = picture("overlay.png"), cast = picture("cast.png"),
                target = picture("target.png");
@@ -281,7 +281,7 @@ TEST(Advice, NamesWhatFellShort) {
 
 TEST(Advice, SaysWhichImageToMove) {
     ShadowReport report = report_of(0.60, 0.99, 0.60);
-    report.given_up = 0.123;
+    report.relaxed = 0.123;
     report.rival = "horse";
     const std::string text = advice(report);
     EXPECT_NE(text.find("12.3% of its window gave way to 'horse'"), std::string::npos)

@@ -232,8 +232,8 @@ TEST(Figures, OfTheLandsOwnShadow) {
     EXPECT_EQ(figures.fine.iou, figures.iou_frame);
     EXPECT_GT(figures.outline, 0.9);
     EXPECT_GT(figures.standing_out, 10.0);
-    EXPECT_EQ(figures.given_up.share, 0.0);
-    EXPECT_EQ(figures.given_up.bound, 1.0);
+    EXPECT_EQ(figures.relaxed.share, 0.0);
+    EXPECT_EQ(figures.relaxed.bound, 1.0);
     ASSERT_EQ(figures.other_suns.size(), 10u);
     // What the base has itself is no trace of the image.
     for (const OtherSun& other : figures.other_suns) EXPECT_EQ(other.correlation(), 0.0);
@@ -279,14 +279,14 @@ TEST(Figures, TurnedSunsAreWhatTheySay) {
 
 TEST(Figures, GivenUpCellsBoundTheIoU) {
     ShadowImage image{"x", box(20, 20, 0, 0, 10, 10), sun_at(0.0, 25.0)};
-    EXPECT_EQ(given_up(image).bound, 1.0);
-    image.given_up = joined(box(20, 20, 0, 0, 2, 10), box(20, 20, 15, 0, 20, 4));
+    EXPECT_EQ(relaxed(image).bound, 1.0);
+    image.relaxed = joined(box(20, 20, 0, 0, 2, 10), box(20, 20, 15, 0, 20, 4));
     // 20 of 100 are missed, 20 are spurious.
-    EXPECT_DOUBLE_EQ(given_up(image).bound, 80.0 / 120.0);
-    EXPECT_DOUBLE_EQ(given_up(image).share, 40.0 / 400.0);
+    EXPECT_DOUBLE_EQ(relaxed(image).bound, 80.0 / 120.0);
+    EXPECT_DOUBLE_EQ(relaxed(image).share, 40.0 / 400.0);
     image.window = box(20, 20, 0, 0, 10, 20);
-    EXPECT_DOUBLE_EQ(given_up(image).bound, 80.0 / 100.0);
-    EXPECT_DOUBLE_EQ(given_up(image).share, 20.0 / 200.0);
+    EXPECT_DOUBLE_EQ(relaxed(image).bound, 80.0 / 100.0);
+    EXPECT_DOUBLE_EQ(relaxed(image).share, 20.0 / 200.0);
 }
 
 TEST(Figures, ShapesThatDoNotFitAreRefused) {

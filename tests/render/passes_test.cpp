@@ -82,8 +82,6 @@ Camera overhead() {
     return c;
 }
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
 class Quiet final : public Progress {
   public:
     void step(std::string_view) override {}

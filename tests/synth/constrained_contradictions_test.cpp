@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kNorth = 0.0, kWest = 270.0;  // where the suns stand
 
-std::size_t given_up(const ShadowImage& image) {
+std::size_t relaxed(const ShadowImage& image) {
     return static_cast<std::size_t>(
-        std::count(image.given_up.begin(), image.given_up.end(), 1));
+        std::count(image.relaxed.begin(), image.relaxed.end(), 1));
 }
 
 // What a land shows to a sun in the north or in the west, cell by cell.
@@ -49,15 +49,15 @@ TEST(Contradictions, ABlockOfTwoByTwoIsFoundAndHit) {
     const Contradictions found = settle(images);
     EXPECT_EQ(found.quadruples, 1u);
     EXPECT_EQ(found.least_wrong, 1u);
-    EXPECT_EQ(found.given_up, 1u);
-    EXPECT_EQ(given_up(images[0]) + given_up(images[1]), 1u);
+    EXPECT_EQ(found.relaxed, 1u);
+    EXPECT_EQ(relaxed(images[0]) + relaxed(images[1]), 1u);
     // One image without fault, the other with as much shadow too many as it has.
     EXPECT_DOUBLE_EQ(found.bound, (1.0 + 1.0 / 2.0) / 2.0);
     // It is one of the four cells.
     for (const ShadowImage& image : images)
-        for (int y = 0; y < 12 && !image.given_up.empty(); ++y)
+        for (int y = 0; y < 12 && !image.relaxed.empty(); ++y)
             for (int x = 0; x < 12; ++x)
-                if (image.given_up(x, y)) {
+                if (image.relaxed(x, y)) {
                     EXPECT_TRUE(x >= 5 && x <= 6 && y >= 5 && y <= 6);
                 }
 }
@@ -76,8 +76,8 @@ TEST(Contradictions, OutsideAWindowNothingContradicts) {
                                     image_of(box(12, 12, 6, 6, 7, 7), kNorth)};
     images[0].window = images[0].target;  // its lit cells do not count
     EXPECT_EQ(settle(images).quadruples, 0u);
-    EXPECT_TRUE(images[0].given_up.empty());
-    EXPECT_TRUE(images[1].given_up.empty());
+    EXPECT_TRUE(images[0].relaxed.empty());
+    EXPECT_TRUE(images[1].relaxed.empty());
 }
 
 TEST(Contradictions, WindowsSideBySideHaveNone) {
@@ -106,9 +106,9 @@ TEST(Contradictions, NoneIsLeft) {
                                         image_of(random_mask(30, 22, seed + 200), 125.0)};
         const Contradictions found = settle(images);
         EXPECT_GT(found.quadruples, found.least_wrong);
-        EXPECT_GE(found.given_up, found.least_wrong);
-        EXPECT_EQ(found.given_up,
-                  given_up(images[0]) + given_up(images[1]) + given_up(images[2]));
+        EXPECT_GE(found.relaxed, found.least_wrong);
+        EXPECT_EQ(found.relaxed,
+                  relaxed(images[0]) + relaxed(images[1]) + relaxed(images[2]));
         EXPECT_EQ(settle(images).quadruples, 0u) << "seed " << seed;
     }
 }

@@ -41,7 +41,7 @@ Field<std::uint8_t> ring(int width, int height, double x, double y, double radiu
     return target;
 }
 
-// What the solver made, and all that it said.
+// The solver's result, and all of its messages.
 struct Land {
     Terrain terrain;
     std::vector<ShadowImage> images;
@@ -78,7 +78,7 @@ bool all_finite(const Field<float>& heights) {
                        [](float h) { return std::isfinite(h); });
 }
 
-// Of all the land's slope there, how much is another than it was.
+// The share of the land's slope there that has changed.
 double changed_slope(const Field<float>& land, const Field<float>& base,
                      const Field<float>& away, float at_least) {
     double changed = 0.0, all = 0.0;
@@ -101,10 +101,10 @@ float greatest_difference(const Field<float>& a, const Field<float>& b) {
     return most;
 }
 
-std::ptrdiff_t given_up(const std::vector<ShadowImage>& images) {
+std::ptrdiff_t relaxed(const std::vector<ShadowImage>& images) {
     std::ptrdiff_t cells = 0;
     for (const ShadowImage& image : images)
-        cells += std::count(image.given_up.begin(), image.given_up.end(), 1);
+        cells += std::count(image.relaxed.begin(), image.relaxed.end(), 1);
     return cells;
 }
 
@@ -137,7 +137,7 @@ TEST(Constrained, CastsTwoImagesSideBySide) {
         EXPECT_GT(land.iou(0), 0.95) << azimuth;
         EXPECT_GT(land.iou(1), 0.95) << azimuth;
         EXPECT_EQ(land.told.warnings, "") << azimuth;
-        EXPECT_LT(given_up(land.images), 20) << azimuth;
+        EXPECT_LT(relaxed(land.images), 20) << azimuth;
     }
 }
 
@@ -311,9 +311,9 @@ TEST(ConstrainedSuns, ThatContradictSaySoAndWhere) {
     const Land land = bent(bumpy(96, 96), {image_of(ring(96, 96, 48, 48, 26, 10), 0.0),
                                            image_of(box(96, 96, 30, 30, 66, 66), 270.0)});
     EXPECT_TRUE(contains(land.told.warnings, "contradict")) << land.told.warnings;
-    EXPECT_GT(given_up(land.images), 0);
+    EXPECT_GT(relaxed(land.images), 0);
     EXPECT_TRUE(contains(land.told.warnings,
-                         fmt::format("{} cells give way", given_up(land.images))));
+                         fmt::format("{} cells are relaxed", relaxed(land.images))));
     EXPECT_GT(land.iou(0), 0.5);
     EXPECT_GT(land.iou(1), 0.5);
 }

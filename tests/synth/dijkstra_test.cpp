@@ -9,22 +9,22 @@
 
 #include "field/error.h"
 #include "field/random.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 namespace cydonia::distance {
 namespace {
 
-// The textbook's algorithm on the whole graph, with the standard queue.
-template <class Growth>
+// The algorithm of textbooks on the whole graph, with the standard queue.
+template <class CostModel>
 std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
-                             const Growth& growth) {
+                             const CostModel& model) {
     std::vector<Label> labels(static_cast<std::size_t>(graph.nodes()));
     using Entry = std::pair<float, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         Label& label = labels[starts[i].node];
         if (starts[i].cost >= label.cost) continue;
-        label = growth.begin(static_cast<int>(i));
+        label = model.begin(static_cast<int>(i));
         label.origin = static_cast<int>(i);
         queue.push({label.cost, starts[i].node});
     }
@@ -39,7 +39,7 @@ std::vector<Label> reference(const Graph& graph, std::span<const Start> starts,
             const int x = graph.x_of(next), y = graph.y_of(next);
             if (x < 0 || y < 0 || x >= graph.width || y >= graph.height) continue;
             Label reached =
-                growth.from(node, tail)(d, next, tail.length + graph.edge(node, d));
+                model.from(node, tail)(d, next, tail.length + graph.edge(node, d));
             reached.origin = tail.origin;
             reached.direction = static_cast<std::uint8_t>(d);
             const auto rank = [](const Label& l) {
@@ -68,11 +68,11 @@ std::vector<Start> random_starts(const Graph& graph, int count, double highest,
     return starts;
 }
 
-template <class Growth>
+template <class CostModel>
 void expect_same_as_reference(const Graph& graph, std::span<const Start> starts,
-                              const Growth& growth, LeastCost& paths) {
-    paths.spread(starts, growth);
-    const std::vector<Label> expected = reference(graph, starts, growth);
+                              const CostModel& model, LeastCost& paths) {
+    paths.spread(starts, model);
+    const std::vector<Label> expected = reference(graph, starts, model);
     for (int y = 0; y < graph.height; ++y) {
         for (int x = 0; x < graph.width; ++x) {
             const int node = graph.node(x, y);
@@ -139,7 +139,7 @@ TEST(LeastCost, EqualsReferenceOnRandomGraphs) {
         LeastCost paths(graph);
         for (int count : {1, 7, 60}) {
             const auto starts = random_starts(graph, count, 500.0, seed);
-            expect_same_as_reference(graph, starts, RawGrowth{starts}, paths);
+            expect_same_as_reference(graph, starts, RawCostModel{starts}, paths);
         }
     }
 }
@@ -152,11 +152,12 @@ TEST(LeastCost, EqualsReferenceWithAFactorForEachStart) {
         const auto starts = random_starts(graph, 40, 3000.0, seed);
         std::vector<float> factors;
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            // So far apart that steps leave the queue's ring.
+            // Costs so far apart that steps leave the queue's ring.
             const double power = 4.0 * unit(hash_of({seed, i})) - 2.0;
             factors.push_back(static_cast<float>(std::pow(10.0, power)));
         }
-        expect_same_as_reference(graph, starts, ConstantGrowth{starts, factors}, paths);
+        expect_same_as_reference(graph, starts, ConstantCostModel{starts, factors},
+                                 paths);
     }
 }
 
@@ -169,7 +170,7 @@ TEST(LeastCost, EqualsReferenceAlongProfiles) {
         for (int count : {1, 9, 60}) {
             const auto starts = random_starts(graph, count, 80.0, seed);
             const Shapes shapes = some_shapes(graph, starts.size(), 100.0);
-            expect_same_as_reference(graph, starts, ProfileGrowth(shapes, starts, 0),
+            expect_same_as_reference(graph, starts, ProfileCostModel(shapes, starts, 0),
                                      paths);
         }
     }
@@ -191,7 +192,8 @@ TEST(LeastCost, EqualsReferenceWhereProfilesChange) {
         for (int y = 20; y < 40; ++y)
             for (int x = 10; x < 50; ++x) shapes.way_at[graph.node(x, y)] = 2;
         shapes.region_ways = {2};
-        expect_same_as_reference(graph, starts, ChangingGrowth(shapes, starts, 0), paths);
+        expect_same_as_reference(graph, starts, ChangingCostModel(shapes, starts, 0),
+                                 paths);
     }
 }
 
@@ -211,7 +213,7 @@ TEST(LeastCost, GoesOnAtTheSameHeightInARegion) {
     for (int y = 0; y < 21; ++y)
         for (int x = 51; x < 101; ++x) shapes.way_at[graph.node(x, y)] = 1;
     LeastCost paths(graph);
-    paths.spread(starts, ChangingGrowth(shapes, starts, 0));
+    paths.spread(starts, ChangingCostModel(shapes, starts, 0));
     EXPECT_NEAR(paths[graph.node(50, 10)].cost, 300.0, 0.5);
     EXPECT_NEAR(paths[graph.node(60, 10)].cost, 300.0 + 300.0, 1.0);
     EXPECT_NEAR(paths[graph.node(10, 10)].cost, 100.0, 0.5);
@@ -240,7 +242,7 @@ TEST(LeastCost, HasAProfileOnEachSideOfAStroke) {
     }
     lay_sides(shapes, graph, starts, sides);
     LeastCost paths(graph);
-    paths.spread(starts, ChangingGrowth(shapes, starts, 0));
+    paths.spread(starts, ChangingCostModel(shapes, starts, 0));
     for (int x = 10; x < 50; ++x) {
         const float north = paths[graph.node(x, stroke(x) - 10)].cost;
         const float south = paths[graph.node(x, stroke(x) + 10)].cost;
@@ -266,7 +268,7 @@ TEST(LeastCost, OneStartIsThePolygonalConeOfTheMetric) {
                                      1);
         const std::vector<Start> starts{{graph.node(12, 20), 5.0f}};
         LeastCost paths(graph);
-        paths.spread(starts, RawGrowth{starts});
+        paths.spread(starts, RawCostModel{starts});
         for (int y = 0; y < graph.height; ++y) {
             for (int x = 0; x < graph.width; ++x) {
                 const double a = std::max(std::abs(x - 12), std::abs(y - 20));
@@ -290,8 +292,9 @@ TEST(LeastCost, StopsWhereItIsTold) {
     const Graph graph = graph_of(60, 60, 1.0, {.mean = 1.0, .deviation = 0.5}, 3);
     const std::vector<Start> starts{{graph.node(30, 30), 0.0f}};
     LeastCost paths(graph);
-    paths.spread(starts, RawGrowth{starts}, [](int, float cost) { return cost < 10.0f; });
-    const std::vector<Label> all = reference(graph, starts, RawGrowth{starts});
+    paths.spread(starts, RawCostModel{starts},
+                 [](int, float cost) { return cost < 10.0f; });
+    const std::vector<Label> all = reference(graph, starts, RawCostModel{starts});
     std::size_t reached = 0;
     for (int node = 0; node < graph.nodes(); ++node) {
         if (all[node].cost < 10.0f) {
@@ -307,7 +310,7 @@ TEST(LeastCost, PathBackAddsUpToItsCost) {
     const Graph graph = graph_of(80, 80, 10.0, {.mean = 2.0, .deviation = 1.0}, 5);
     const auto starts = random_starts(graph, 5, 300.0, 2);
     LeastCost paths(graph);
-    paths.spread(starts, RawGrowth{starts});
+    paths.spread(starts, RawCostModel{starts});
     const std::vector<int> path = path_back(graph, paths, graph.node(3, 71));
     const Label& end = paths[path.front()];
     EXPECT_EQ(path.back(), starts[end.origin].node);

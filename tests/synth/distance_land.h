@@ -45,7 +45,7 @@ inline int& count_of(Options& options) {
     return std::get<Peaks>(options.groups[0].where).placement.count;
 }
 
-// With one profile for all features.
+// The same options with one profile for all features.
 inline Options shaped(Options options, std::vector<std::array<double, 2>> points,
                       std::optional<Length> reach = {}) {
     Profile profile;
@@ -62,7 +62,7 @@ inline void set_range(Options& options, double low, double high) {
     options.groups[0].cost.range = {{metres(low), metres(high)}};
 }
 
-// Rusnell 2009, chapter 3's example.
+// The example of Rusnell 2009, chapter 3.
 inline Options running_example() {
     Options options = peaks(25);
     options.groups[0].ridges.count = 38;

@@ -97,7 +97,7 @@ TEST(Distance, ProfileDrawnAsAPicture) {
     }
 }
 
-// Two features on one graph, and what each gives alone.
+// Two features on one graph, and the heights of each alone.
 struct Pair {
     Graph graph =
         graph_of(80, 60, 10.0, {.mean = 1.0, .deviation = 0.6, .grain = 60.0}, 4);
@@ -162,7 +162,7 @@ TEST(Blend, BiasBetweenIsEquation37) {
     }
 }
 
-// Metres up a metre along, at its worst.
+// The steepest slope, in metres a metre.
 double steepest(const Terrain& terrain) {
     double slope = 0.0;
     for (int y = 0; y < terrain.heights.height(); ++y) {

@@ -14,7 +14,7 @@
 namespace cydonia::distance {
 namespace {
 
-// What was shown.
+// The pictures and tables that were shown.
 struct Shown {
     std::map<std::string, Field<Rgb8>> pictures;
     std::map<std::string, std::string> tables;
@@ -117,7 +117,7 @@ TEST(Explain, OnePeakHaltsAtTheSeaAllAround) {
     }
 }
 
-// A low peak beside a high one gives up on the other's flank.
+// The pass of a low peak beside a high one halts on the other's flank.
 TEST(Explain, ALowPeakHaltsUnderAHighOne) {
     Land land({{0, 0.0f}, {0, 230.0f}});
     land.features.starts[0].node = land.graph.node(45, 40);
@@ -237,7 +237,7 @@ TEST(Explain, ProfilesOfGeneratorsAndRegions) {
     EXPECT_EQ(lines_of(land.shown.tables.at("features")).at(1).at("profile"), "cone");
 }
 
-// Through the stage itself.
+// Explains a whole stage.
 struct Stage {
     Options options;
     Shown shown;

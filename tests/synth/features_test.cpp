@@ -9,7 +9,7 @@
 
 #include "field/image.h"
 #include "field/random.h"
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 #include "synth/distance/sources.h"
 #include "tests/field/temporary_folder.h"
 
@@ -64,7 +64,7 @@ struct Land {
     }
 };
 
-// What a test draws, gone with it.
+// A drawing of a test, which is removed with this object.
 class Pictures {
   public:
     Source svg(const std::string& body) {
@@ -134,7 +134,7 @@ void expect_refused(const Options& options, const std::string& words) {
     EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
-// Whether ground connected by its sides leads from a node to the land's edge.
+// Whether a node is connected with the land's edge across the sides of cells.
 bool leads_out(const Land& land, int feature, int node) {
     Field<char> seen(land.graph.width, land.graph.height);
     for (const Start& start : land.features.of(feature)) {
@@ -727,7 +727,7 @@ TEST(RidgeGrowth, ExtendsTheFeatureItComesFrom) {
     const Land grown(options, 96, 3);
     ASSERT_EQ(grown.features.count(), 4);
     LeastCost paths(bare.graph);
-    paths.spread(bare.features.starts, RawGrowth{bare.features.starts});
+    paths.spread(bare.features.starts, RawCostModel{bare.features.starts});
     std::size_t nodes = 0;
     for (int f = 0; f < 4; ++f) {
         for (const Start& start : grown.features.of(f)) {

@@ -166,7 +166,7 @@ TEST(Holes, PointsAreAsManyAsAQuarterOfTheNodes) {
         EXPECT_EQ(points[i], holes[i]);
         ++count;
     }
-    // Thrown at random, some fall on one another: 1 - exp(-1/4).
+    // Random points partly coincide: 1 - exp(-1/4) of the cells have one.
     EXPECT_NEAR(static_cast<double>(count) / nodes, 0.2212, 0.01);
 }
 

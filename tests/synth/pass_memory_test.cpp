@@ -127,7 +127,7 @@ TEST(PassMemory, MendsPassesThroughRegionsAndBesideStrokesWithTwoSides) {
     steep.curve.points = {{0, 1}, {4, 0.3}, {20, 0}};
     options.profiles.push_back(steep);
     options.groups[1].other_side = "steep";
-    Region region;
+    RegionOptions region;
     region.image = valley.source();
     region.profile = "steep";
     options.regions = {region};

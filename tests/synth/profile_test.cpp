@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> shipped() {
     return files;
 }
 
-// Every shipped profile as it is, in layers, with detail, and with both.
+// Every shipped profile unchanged, in layers, with detail, and with both.
 std::vector<Profile> all_shapes() {
     std::vector<Profile> shapes;
     for (const auto& file : shipped()) {
@@ -210,7 +210,7 @@ TEST(Profile, FlatToTheEnds) {
                 1.0);
 }
 
-// Ledges of a straight slope: runs of ground much less steep than it.
+// The ledges of a straight slope: runs of ground that are much less steep.
 int ledges(const Descent& line, double slope) {
     int count = 0;
     bool on_ledge = false;
@@ -371,7 +371,7 @@ TEST(Curve, OfATable) {
     curve.table = open_source(folder.with(
         "a.csv", "# a comment\r\n0, 1\r\n\r\n  1.5e0 ,0.5 # the knee\r\n+4,-2"));
     // No sign before a number.
-    expect_error(ExitCode::kBadRequest, "a.csv:5: two numbers",
+    expect_error(ExitCode::kBadRequest, "a.csv:5: expected two numbers",
                  [&] { points_of(curve, "profile a"); });
     curve.table = open_source(
         folder.with("a.csv", "\xef\xbb\xbf# \n0, 1\r\n\r\n 1.5e0\t,.5#\n4,-2"));
@@ -392,21 +392,21 @@ TEST(Curve, OfATableWithAFlaw) {
     };
     refused("#", "at least two points x, f(x) are needed, 0 found");
     refused("0, 1\n", "at least two points x, f(x) are needed, 1 found");
-    refused("x, f(x)\n0, 1\n1, 0\n", "a.csv:1: two numbers");
-    refused("0, 1\n1; 0\n", "a.csv:2: two numbers");
-    refused("0, 1\n1, 0, 3\n", "a.csv:2: two numbers");
-    refused("0, 1\n1,\n", "a.csv:2: two numbers");
-    refused("0, 1\n1 0\n", "a.csv:2: two numbers");
-    refused(std::string("0, 1\n1, \0 0\n", 12), "a.csv:2: two numbers");
-    refused("0, 1\n1, nan\n", "a.csv:2: not a number of any use");
-    refused("0, 1\ninf, 0\n", "a.csv:2: not a number of any use");
-    refused("0, 1\n1, -1e300\n", "a.csv:2: not a number of any use");
-    refused("0, 1\n1, 1e999\n", "a.csv:2: two numbers");
+    refused("x, f(x)\n0, 1\n1, 0\n", "a.csv:1: expected two numbers");
+    refused("0, 1\n1; 0\n", "a.csv:2: expected two numbers");
+    refused("0, 1\n1, 0, 3\n", "a.csv:2: expected two numbers");
+    refused("0, 1\n1,\n", "a.csv:2: expected two numbers");
+    refused("0, 1\n1 0\n", "a.csv:2: expected two numbers");
+    refused(std::string("0, 1\n1, \0 0\n", 12), "a.csv:2: expected two numbers");
+    refused("0, 1\n1, nan\n", "a.csv:2: the number is not finite or too large");
+    refused("0, 1\ninf, 0\n", "a.csv:2: the number is not finite or too large");
+    refused("0, 1\n1, -1e300\n", "a.csv:2: the number is not finite or too large");
+    refused("0, 1\n1, 1e999\n", "a.csv:2: expected two numbers");
     refused("0, 1\n\n1, 0.5\n0.5, 0\n", "a.csv:4: x must increase, but 0.5 follows 1");
     refused("0, 1\n1, 0.5\n# up\n2, 0.7\n3, 0\n",
             "a.csv:4: rises, but a cross-section must fall from the feature outward");
     refused("0, 1\n1, 1\n", "a.csv is flat");
-    refused("\x89PNG\r\n\x1a\n", "a.csv:1: two numbers");
+    refused("\x89PNG\r\n\x1a\n", "a.csv:1: expected two numbers");
     std::string lines;
     for (int i = 0; i <= 4096; ++i) lines += std::to_string(i) + ", 0\n";
     refused(lines, "more than 4096 lines");

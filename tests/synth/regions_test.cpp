@@ -52,7 +52,7 @@ Options rim(const Source& strokes) {
 TEST(Region, ItsProfileHoldsInside) {
     const Picture strokes(ring(128, 24.0));
     Options options = rim(strokes.source());
-    Region region;
+    RegionOptions region;
     region.inside = "rim";
     region.profile = "inside";
     options.regions = {region};
@@ -76,7 +76,7 @@ TEST(Region, OnlyItsGroupsBlendThere) {
     options.groups[1].cost.range = {{metres(0.0), metres(0.0)}};
     EXPECT_GT(land(options, flat(128, 128, 1280.0)).heights(64, 64), 450.0f);
 
-    Region region;
+    RegionOptions region;
     region.inside = "rim";
     region.only = {"rim"};
     options.regions = {region};
@@ -125,7 +125,7 @@ TEST(Region, InsideIsWhatClosedStrokesEnclose) {
 TEST(Region, AnOpenStrokeEnclosesNothing) {
     const Picture stroke(drawing(64, [](int x, int y) { return y == 30 && x > 10; }));
     Options options = rim(stroke.source());
-    Region region;
+    RegionOptions region;
     region.inside = "rim";
     options.regions = {region};
     try {

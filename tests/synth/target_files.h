@@ -42,7 +42,7 @@ class TargetFiles : public testing::Test {
         ("cydonia_targets_" + std::to_string(::getpid()));
 };
 
-// Remembers what the user was told.
+// Keeps the messages to the user.
 struct Told final : Progress {
     void step(std::string_view) override {}
     void report(double) override {}

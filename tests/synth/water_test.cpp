@@ -59,8 +59,8 @@ Terrain laid(const Options& options, Terrain terrain) {
     return terrain;
 }
 
-// Where the land passes the level between the first wet sample of a row and the one west
-// of it: metres east.
+// The metres from the west at which the land crosses the level, between the first wet
+// sample of a row and the one west of it.
 double shore_in_row(const Terrain& terrain, int y, float level) {
     int x = 1;
     while (water_depth(terrain, terrain.heights.index(x, y)) <= 0.0f) ++x;

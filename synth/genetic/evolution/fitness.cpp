@@ -9,7 +9,7 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kQuarter = 0.25;  // notes.md, Saunders 2006, 2
+constexpr double kQuarter = 0.25;  // docs/papers.md, Saunders 2006, 2
 constexpr double kHalf = 0.5;
 constexpr double kLevel = 0.05;  // of a type's slopes: land so flat faces nowhere
 constexpr std::array<Quantity, 3> kJudged = {Quantity::kElevation, Quantity::kSlope,

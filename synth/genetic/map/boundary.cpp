@@ -11,7 +11,7 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kPopulation = 5, kCycles = 20;      // notes.md, Saunders 2006, 2
+constexpr int kPopulation = 5, kCycles = 20;      // docs/papers.md, Saunders 2006, 2
 constexpr int kGenes = 12;                        // of one run
 constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
@@ -23,7 +23,7 @@ constexpr double kLeastBent = 0.3;  // at the start, of the absolute angle limit
 constexpr double kRounding = 1e-9;
 constexpr double kOfFree = 0.45;  // of the angle to the next boundary at a corner
 
-// Eq. IV.3; alpha is meant as its size (notes.md).
+// Eq. IV.3; alpha is meant as its size (docs/papers.md).
 double smooth(double turn, double s) {
     return std::sin((kPi - std::abs(turn)) * (kOffset - s));
 }

@@ -8,12 +8,12 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Of the augmented Lagrangian; the cost of slopes is one.
+// The penalty of the augmented Lagrangian, where the cost of slopes is one.
 constexpr float kPull = 1.0f;
 // Over-relaxation (Boyd et al. 2011, section 3.4.3).
 constexpr float kOver = 1.7f;
 
-// body(i) for every cell, on all threads.
+// Calls body(i) for every cell, on all threads.
 template <class Body>
 void for_rows(const Field<float>& field, const Body& body) {
     parallel_for(field.height(), 64, [&](int y) {

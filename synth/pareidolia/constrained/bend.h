@@ -12,19 +12,21 @@ struct BendOptions {
     Stops stops = Stops::kColumns;
 };
 
-// One grid of the land while it is bent: the convex programme of least change subject to
-// what every sun must see, by consensus ADMM (Boyd et al. 2011, section 7.1), linearised
-// where samples mix heights: a solve for the change, and a projection on each sun's
-// inequalities, in turn. What was learned stays between calls.
+// One grid of the land while it is bent. It solves the convex programme of least change
+// subject to the inequalities of every sun by consensus ADMM (Boyd et al. 2011, section
+// 7.1), linearised where samples mix heights: it alternates between solving for the
+// change and projecting on each sun's inequalities. The dual variables are kept between
+// calls.
 class Bend {
   public:
-    // `land` is what changes are counted from; its cells are `cells` of the demands'
-    // wide, and `spacing` metres. Where `held` is finite the land comes to that height;
-    // empty: nowhere.
+    // Changes are relative to `land`, whose cells are `cells` of the demands' cells and
+    // `spacing` metres wide. Where `held` is finite the land must have that height; an
+    // empty `held` holds nothing.
     Bend(Field<float> land, double spacing, double cells, Field<float> held,
          const BendOptions& options);
 
-    // At first, and anew where margins or parts changed: the same suns in the same order.
+    // Must be called first, and again when margins or parts have changed, with the same
+    // suns in the same order.
     void demand(const std::vector<Demand>& demands);
     void run(int iterations);
     Field<float> heights() const;

@@ -11,17 +11,18 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Of gradients in shadow, at hidden = 1: the more relief there, the more of it stays dark
-// under other suns.
+// The factor of gradients in shadow at hidden = 1: the more relief there is, the more of
+// it stays dark under other suns.
 constexpr double kShadowShare = 0.3;
-// The land falls along the light: in shadow as it must on the whole, and in lit ground,
-// at hidden = 1, by half of that, so that no one slope has the image's shape.
+// The land falls along the light: in shadow by as much as it must in total, and on lit
+// ground, at hidden = 1, by half of that, so that no single slope has the image's shape.
 constexpr double kShadowTilt = 1.0, kLitTilt = 0.5;
-// Slopes in lit ground are limited, softly, at so many times the light's own.
+// Slopes on lit ground are softly limited at so many times the light's own.
 constexpr double kSteepest = 1.5;
-// Of the longer side, over which shadow and window come in.
+// The width of the transitions at shadows and windows, as a share of the longer side.
 constexpr double kShadowFeather = 0.015, kWindowFeather = 0.03;
-// The price of height alone: what nothing else holds stays where it was.
+// The cost of a change in height alone, so that ground that nothing else holds stays
+// where it was.
 constexpr double kKeep = 1e-6;
 
 double eased(double t) {
@@ -29,7 +30,7 @@ double eased(double t) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Metres a metre, as of the ground a few cells around.
+// The slope, in metres a metre, averaged over a few cells around.
 Field<float> slopes(const Field<float>& heights, double spacing) {
     const int w = heights.width(), h = heights.height();
     Field<float> result(w, h);
@@ -50,9 +51,9 @@ Field<float> slopes(const Field<float>& heights, double spacing) {
     return result;
 }
 
-// The land whose gradient is `share` times that of `base`, and `tilt` (x, y; metres a
-// cell) besides, in the mean of squares: a screened Poisson equation of the change, so
-// that what is to stay does, at any height.
+// The land whose gradient is, in the least squares, `share` times that of `base` plus
+// `tilt` (x, y; metres a cell). It is the solution of a screened Poisson equation for the
+// change, so that ground that must stay does so at any height.
 Field<float> integrated(const Field<float>& base, const Field<float>& share,
                         const Field<float>& tilt_x, const Field<float>& tilt_y) {
     Field<float> change(base.width(), base.height());
@@ -107,7 +108,7 @@ Field<float> calmed(const Terrain& base, const std::vector<ShadowImage>& images,
             const double lit_tilt = kLitTilt * std::min(1.0, hidden);
             const double tilt = std::tan(image.sun.elevation) * base.spacing * window *
                                 (lit_tilt + shadow * (kShadowTilt - lit_tilt));
-            // What other suns have it fall by already counts.
+            // The fall along the light of other suns is taken into account.
             const double missing =
                 std::max(0.0, tilt - (tilt_x[i] * east - tilt_y[i] * north));
             tilt_x[i] += static_cast<float>(east * missing);

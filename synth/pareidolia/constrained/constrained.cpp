@@ -19,19 +19,21 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// The coarsest grid has at most so many cells a side.
+// The coarsest grid has at most so many cells along a side.
 constexpr int kCoarsest = 64;
 constexpr int kCoarseIterations = 100, kHalfIterations = 50, kFineIterations = 24;
 // Margins at faithful = 1, as shares of the light's own fall.
 constexpr double kLight = 0.1, kCrisp = 0.25;
 constexpr double kAnyDepth = 1e6;
-// Cells around the window that are lit too, so that natural shadows end outside it.
+// The width, in cells, of the ground around a window that must be lit too, so that
+// natural shadows end outside it.
 constexpr float kRim = 2.0f;
-// The price of curvature against that of slope, at natural = 1.
+// The cost of curvature relative to that of slope at natural = 1.
 constexpr double kBend = 0.3;
-// The price of height alone on 512 cells a side: holds what nothing else does.
+// The cost of a change in height alone on 512 cells a side, which holds ground that
+// nothing else holds.
 constexpr double kKeep = 1e-6;
-// Calming of a base below this goes without saying.
+// Reductions of the base's slopes below this are not reported.
 constexpr double kSaidSmoothing = 0.25;
 
 cv::Mat mat(Field<float>& field) {
@@ -45,7 +47,7 @@ Field<float> shrunk(Field<float> field, int width, int height) {
     return result;
 }
 
-// A change of coarser land, without the stairs of its cells.
+// A change of coarser land on finer cells, without stairs.
 Field<float> grown(Field<float> change, int width, int height) {
     Field<float> result(width, height);
     cv::Mat out = mat(result);
@@ -59,7 +61,7 @@ Field<float> sum(Field<float> a, const Field<float>& b, float sign) {
     return a;
 }
 
-// 0 to 1, changing over a twenty-fourth of the land and less.
+// Noise from 0 to 1 with wavelengths of at most a twenty-fourth of the land.
 Field<float> wandering(int width, int height, std::uint64_t seed) {
     Field<float> noise = noise_field({.h = 0.8, .octaves = 3, .grid = 24.0}, width,
                                      height, 1.0, hash_of({seed, key("wandering")}));
@@ -75,14 +77,14 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
                   Field<float>(target.width(), target.height()),
                   Field<float>(target.width(), target.height(),
                                static_cast<float>(kCrisp * options.faithful)),
-                  // Several images need all the depth they can get.
+                  // Several images need the full depth.
                   alone && options.hidden > 0.0 ? 1.0 / options.hidden : kAnyDepth};
     const Field<float> beyond = cells_inside(image.window, false);
     for (std::size_t i = 0; i < target.size(); ++i) {
-        // Lit ground that rises evenly everywhere would look ironed.
+        // Lit ground that rises evenly everywhere would look unnaturally smooth.
         demand.light[i] =
             static_cast<float>(kLight * options.faithful * (0.5 + noise[i]));
-        if (!image.given_up.empty() && image.given_up[i]) continue;
+        if (!image.relaxed.empty() && image.relaxed[i]) continue;
         if (target[i])
             demand.parts[i] = Part::kShadow;
         else if (beyond[i] <= kRim)
@@ -91,8 +93,8 @@ Demand shown(const ShadowImage& image, const ConstrainedOptions& options,
     return demand;
 }
 
-// Of the base where the land must not change, NaN elsewhere. A coarse cell with any of
-// those is none to keep.
+// The heights of the base where the land must not change, NaN elsewhere. A coarse cell
+// that contains a NaN is not kept.
 Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>& base) {
     if (!keep) return {};
     const Field<float> grey = resized(read_grey(*keep), base.width(), base.height());
@@ -102,15 +104,15 @@ Field<float> kept_heights(const std::optional<Source>& keep, const Field<float>&
     return kept;
 }
 
-void note_given_up(const Rounds& rounds, std::vector<ShadowImage>& images) {
+void note_relaxed(const Rounds& rounds, std::vector<ShadowImage>& images) {
     for (std::size_t i = 0; i < images.size(); ++i) {
         const int width = images[i].target.width(), height = images[i].target.height();
-        Field<std::uint8_t>& given_up = images[i].given_up;
+        Field<std::uint8_t>& relaxed = images[i].relaxed;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 if (!rounds.gave_way(i, x, y)) continue;
-                if (given_up.empty()) given_up = Field<std::uint8_t>(width, height);
-                given_up(x, y) = 1;
+                if (relaxed.empty()) relaxed = Field<std::uint8_t>(width, height);
+                relaxed(x, y) = 1;
             }
     }
 }
@@ -119,18 +121,20 @@ void say_contradictions(const Contradictions& found,
                         const std::vector<ShadowImage>& images, Progress& progress) {
     std::ptrdiff_t cells = 0;
     for (const ShadowImage& image : images)
-        cells += std::count(image.given_up.begin(), image.given_up.end(), 1);
+        cells += std::count(image.relaxed.begin(), image.relaxed.end(), 1);
     if (cells == 0) return;
     if (found.quadruples == 0) {
-        progress.note(fmt::format("{} cells give way to another sun's image", cells));
+        progress.note(
+            fmt::format("{} cells are relaxed in favour of another sun's image", cells));
         return;
     }
-    progress.warn(fmt::format(
-        "the suns contradict one another: {} cells give way; in any land {} at least "
-        "must be wrong, and the mean IoU cannot be above {:.3f}: move, turn or scale an "
-        "image "
-        "so that they share fewer lines of light, or bring the suns together",
-        cells, found.least_wrong, found.bound));
+    progress.warn(
+        fmt::format("the images contradict one another under their suns: {} cells are "
+                    "relaxed; in any land at least {} cells are wrong, and the mean IoU "
+                    "cannot be above {:.3f}: move, turn or scale an image so that they "
+                    "share fewer lines of light, or "
+                    "bring the suns together",
+                    cells, found.least_wrong, found.bound));
 }
 
 }  // namespace
@@ -160,7 +164,8 @@ Field<float> constrained(const Options& options, const Terrain& base,
         lands.push_back(shrunk(lands.back(), (lands.back().width() + 1) / 2,
                                (lands.back().height() + 1) / 2));
 
-    // Every grid starts from the bend of the coarser one and changes as little of that.
+    // Every grid starts from the bend of the coarser one and changes it as little as
+    // possible.
     Field<float> bent = lands.back();
     const int levels = static_cast<int>(lands.size());
     for (int level = levels - 1; level >= 0; --level) {
@@ -185,7 +190,7 @@ Field<float> constrained(const Options& options, const Terrain& base,
         if (level > 0) continue;
         Rounds rounds(base.spacing, demands, context);
         bent = rounds.best_of(bend);
-        note_given_up(rounds, images);
+        note_relaxed(rounds, images);
     }
     for (std::size_t i = 0; i < kept.size(); ++i)
         if (std::isfinite(kept[i])) bent[i] = kept[i];

@@ -8,10 +8,10 @@
 
 namespace cydonia::pareidolia {
 
-// The base bent as little as its images allow, so that each is cast by its own sun:
-// heights in metres, same shape as the base. `images` receives the windows in which they
-// count and the cells where they gave way to one another. `options.images` are the same
-// in number and order.
+// Bends the base as little as its images allow, so that each is cast by its own sun.
+// Returns heights in metres in the shape of the base. `images` receives the windows in
+// which the images count and the cells where they are relaxed in favour of one another.
+// `options.images` must be the same in number and order.
 Field<float> constrained(const Options& options, const Terrain& base,
                          std::vector<ShadowImage>& images, const Context& context);
 

@@ -15,9 +15,10 @@ namespace {
 using Label = std::uint32_t;
 using Quadruple = std::array<Label, 4>;
 
-constexpr int kRounds = 6;  // what gave way casts no more, and new casters may contradict
+constexpr int kRounds =
+    6;  // relaxed cells cast no shadow, and new casters may contradict
 
-// What one image asks of the cells.
+// What one image requires of the cells.
 class Asked {
   public:
     explicit Asked(const ShadowImage& image)
@@ -56,7 +57,7 @@ class Asked {
 
   private:
     bool gave_way(int x, int y) const {
-        return !image_.given_up.empty() && image_.given_up(x, y);
+        return !image_.relaxed.empty() && image_.relaxed(x, y);
     }
     const ShadowImage& image_;
     int width_, height_;
@@ -112,7 +113,7 @@ std::size_t disjoint(const std::vector<Quadruple>& quadruples, std::size_t label
     return count;
 }
 
-// Labels that hit every quadruple, by the greedy rule; of equal ones the first.
+// Labels that hit every quadruple, by the greedy rule; of equal labels the first.
 std::vector<Label> hitting(const std::vector<Quadruple>& quadruples, std::size_t labels) {
     std::vector<std::uint32_t> degree(labels + 1), begin(labels + 1);
     for (const Quadruple& q : quadruples)
@@ -167,14 +168,14 @@ Contradictions settle(std::vector<ShadowImage>& images) {
         if (found.empty()) break;
         for (const Label label : hitting(found, cells * images.size())) {
             ShadowImage& image = images[label / cells];
-            if (image.given_up.empty())
-                image.given_up =
+            if (image.relaxed.empty())
+                image.relaxed =
                     Field<std::uint8_t>(image.target.width(), image.target.height());
-            image.given_up[label % cells] = 1;
-            ++result.given_up;
+            image.relaxed[label % cells] = 1;
+            ++result.relaxed;
         }
     }
-    // At the least cost they are all spurious shadow of the image that has most.
+    // In the best case all of them are wrong shadow of the image that has most of it.
     double most = 0.0;
     for (const ShadowImage& image : images)
         most = std::max(most, static_cast<double>(std::count(image.target.begin(),

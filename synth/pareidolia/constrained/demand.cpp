@@ -8,11 +8,11 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Shadow lies deeper below the light the farther it is from an edge, up to this many
-// times its margin there: an even margin would end in a little cliff.
+// The farther ground in shadow is from an edge, the deeper it lies below the light, up to
+// this many times its margin at the edge. A constant margin would end in a small cliff.
 constexpr double kCrispCells = 2.5;
-// And it lies no deeper than this, in falls of the light from a cell to the next: near an
-// edge, so that the edge is sharp; farther from it; and anywhere. Land just under the
+// The greatest depths, in units of the light's fall from one cell to the next: near an
+// edge, so that the edge is sharp, farther from it, and anywhere. Land just below the
 // light is lit by every other sun.
 constexpr double kEdgeDepth = 0.4, kDepthGrowth = 0.03, kMostDepth = 1.5;
 
@@ -21,7 +21,7 @@ class Row {
     Row(const Demand& demand, const LightRows& rows, int row, double cells)
         : demand_(demand), rows_(rows), row_(row), cells_(cells) {}
 
-    // The demand's own cell that a sample lies in.
+    // The cell of the demand that contains a sample.
     std::size_t cell(int sample) const {
         const GridPoint p = rows_.position(rows_.column(sample), row_);
         const auto at = [&](double v, int size) {
@@ -36,7 +36,8 @@ class Row {
         const auto [first, past] = rows_.span(row_);
         for (int i = first; i < past; ++i)
             if (rows_.counts(i)) parts[i] = demand_.parts[cell(i)];
-        // The land before a shadow casts it; where none is, its own first cell.
+        // The land before a shadow casts it. Where there is none, the shadow's own first
+        // cell does.
         int before = first;
         for (int i = first; i < past; ++i) {
             if (!rows_.counts(i)) continue;
@@ -45,7 +46,7 @@ class Row {
             if (parts[i] == Part::kShadow && !cast) parts[before] = Part::kLit;
             before = i;
         }
-        // What nothing keeps down.
+        // Ground that nothing limits.
         bool lit = false;
         for (int i = past - 1; i >= first; --i) {
             lit |= parts[i] == Part::kLit;
@@ -53,7 +54,7 @@ class Row {
         }
     }
 
-    // `fall` of the light from a column to the next, metres.
+    // `fall` is that of the light from one column to the next, in metres.
     void read_offsets(std::span<const Part> parts, double fall, std::span<float> offsets,
                       std::span<float> depths) const {
         const auto [first, past] = rows_.span(row_);

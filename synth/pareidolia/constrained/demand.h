@@ -7,7 +7,7 @@
 
 namespace cydonia::pareidolia {
 
-// What one sun must see, cell by cell of the finished land.
+// What one sun must see in each cell of the finished land.
 struct Demand {
     Sun sun;
     Field<Part> parts;
@@ -18,8 +18,8 @@ struct Demand {
     double depth = 1.0;  // how far below the light shadow may lie; 1: what hides it well
 };
 
-// The inequalities of a demand along rows over a grid whose cells are `cells` of its own
-// wide and `spacing` metres.
+// The inequalities of a demand along light rows. Each cell of the grid is `cells` of the
+// demand's cells and `spacing` metres wide.
 Records records_of(const Demand& demand, const LightRows& rows, double cells,
                    double spacing);
 

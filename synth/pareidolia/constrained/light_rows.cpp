@@ -9,8 +9,8 @@
 namespace cydonia::pareidolia {
 
 LightRows::LightRows(int width, int height, double azimuth, Stops stops) {
-    // The way light travels over the ground, y to the south. A sun on an axis stays
-    // there.
+    // The direction of light over the ground, with y to the south. A sun on an axis stays
+    // on it exactly.
     const auto straight = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : v; };
     const double dx = straight(-std::sin(azimuth)), dy = straight(std::cos(azimuth));
     along_y_ = std::abs(dy) > std::abs(dx);
@@ -33,8 +33,8 @@ LightRows::LightRows(int width, int height, double azimuth, Stops stops) {
         }
     }
 
-    // No eigenvalue of A^T A is above the greatest sum of a column of A, where the sums
-    // of its rows are one.
+    // No eigenvalue of A^T A is above the greatest sum of a column of A when the sums of
+    // its rows are one.
     float most = 1.0f;
     for (int i = 0; i < columns_ && stops_ > 1; ++i) {
         float sum = 1.0f;
@@ -59,14 +59,14 @@ LightRows::LightRows(int width, int height, double azimuth, Stops stops) {
         int first = 0, past = columns_;
         while (first < columns_ && !inside(first)) ++first;
         while (past > first && !inside(past - 1)) --past;
-        // What follows the last column would lie beyond.
+        // Samples after the last column would lie beyond the grid.
         spans_[static_cast<std::size_t>(row)] = {
             first * stops_, past > first ? (past - 1) * stops_ + 1 : first * stops_};
     });
 }
 
-// Where row 0 meets the mesh from `column` up to the next: squares are split from their
-// first corner to the opposite one.
+// The points where row 0 crosses the mesh from `column` to before the next one. Squares
+// are split from their first corner to the opposite one.
 std::vector<LightRows::Stop> LightRows::crossings(int column) const {
     const double at = origin_ + slope_ * column;
     const int line = static_cast<int>(std::floor(at));
@@ -105,7 +105,8 @@ GridPoint LightRows::position(double column, int row) const {
     return along_y_ ? GridPoint{j, i} : GridPoint{i, j};
 }
 
-// By half a turn where light runs against the axis: the squares' diagonals stay.
+// Light against the axis turns the grid by half a turn, which keeps the squares'
+// diagonals.
 Field<float> LightRows::turned(const Field<float>& heights) const {
     Field<float> along = along_y_ ? transposed(heights) : heights;
     if (backwards_) std::reverse(along.begin(), along.end());

@@ -12,8 +12,8 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// The library transforms even lengths, and fast those without great prime factors. Land
-// beyond the border is free, and forgotten.
+// OpenCV transforms even lengths only, and quickly those without large prime factors. The
+// land is padded, and the padding is free and dropped afterwards.
 int transform_length(int n) { return 2 * cv::getOptimalDFTSize((n + 1) / 2); }
 
 void transform_rows(Field<float>& field, int flags) {

@@ -4,18 +4,18 @@
 
 namespace cydonia::pareidolia {
 
-// What a change c of the land costs: half the sum over its cells of
+// The cost of a change c of the land is half the sum over its cells of
 // slope |grad c|^2 + bend (laplacian c)^2 + keep c^2.
 struct Stiffness {
     double slope = 1.0, bend = 0.0, keep = 0.0;
 };
 
-// The linear side of the programme: (bend L^2 + slope L + keep + pull) c = force with the
-// five-point Laplacian L, negated, and free borders, by cosine transforms.
+// The linear part of the programme: solves (bend L^2 + slope L + keep + pull) c = force
+// by cosine transforms, where L is the negated five-point Laplacian with free borders.
 class Membrane {
   public:
     Membrane(int width, int height, const Stiffness& stiffness, double pull);
-    // In place: the force becomes the change.
+    // Replaces the force by the change.
     void solve(Field<float>& force) const;
 
   private:

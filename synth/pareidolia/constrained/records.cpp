@@ -33,8 +33,8 @@ float RecordsProjection::root() {
     return static_cast<float>(-constant_ / slope_);
 }
 
-// Where the next lit sample lies above this one's best, this one stays there: what the
-// derivative has above its root is gone.
+// Where the next lit sample lies above the best height of this one, this one stays at its
+// best: the derivative above its root is dropped.
 void RecordsProjection::next_lit() {
     const float level = root();
     levels_.push_back(level);

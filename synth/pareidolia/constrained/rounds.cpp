@@ -6,11 +6,11 @@ namespace cydonia::pareidolia {
 namespace {
 
 constexpr int kRays = 2;  // a cell side
-// While a round leaves less than this of what was wrong.
+// Rounds continue while one leaves less than this share of the wrong samples.
 constexpr double kWorthwhile = 0.97;
 constexpr int kRounds = 8, kRoundIterations = 8;
-// With several suns: how often cells that stay wrong give way, and how long the rest is
-// then solved.
+// With several suns: how often cells that stay wrong are relaxed, and for how long the
+// rest is then solved.
 constexpr int kGivingRounds = 3, kGivingIterations = 24;
 
 bool mostly_wrong(Part asked, const Field<std::uint8_t>& cast, int x, int y) {

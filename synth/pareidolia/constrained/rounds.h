@@ -10,16 +10,18 @@
 
 namespace cydonia::pareidolia {
 
-// The finished grid, cast again and again: margins are widened where the cast is wrong
-// and the land is solved on, while it helps. What several suns cannot have together shows
-// in cells that stay wrong: they give way, and the rest is solved on.
+// Rounds on the finished grid: the shadows are cast, margins are widened where the cast
+// is wrong, and the land is solved further, as long as that helps. What several suns
+// cannot have together shows in cells that stay wrong. These are relaxed, and the rest is
+// solved further.
 class Rounds {
   public:
     Rounds(double spacing, const std::vector<Demand>& demands, const Context& context);
 
-    // Of all rounds the heights with the fewest wrong samples.
+    // The heights of the round with the fewest wrong samples.
     Field<float> best_of(Bend& bend);
-    // Whether what was asked of a cell is asked no more, and not there. After best_of.
+    // Whether the demand of a cell was dropped and is not fulfilled. Valid after
+    // best_of().
     bool gave_way(std::size_t image, int x, int y) const;
 
   private:

@@ -7,7 +7,7 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Added to a margin where all of a cell is wrong, and the most that it may come to.
+// The increase of a margin where a whole cell is wrong, and the greatest margin.
 constexpr float kMore = 0.2f, kMost = 0.6f;
 
 // How much of each cell is wrong, 0 to 1.
@@ -31,8 +31,8 @@ Share shares(const Demand& demand, const Field<std::uint8_t>& cast) {
     return share;
 }
 
-// Beside shadow no margin mends what is dark: a crest is dark beyond its own sample, and
-// a margin along the side of a shadow adds up, step by step, to a cliff.
+// Beside shadow no margin corrects ground that is dark: a crest is dark beyond its own
+// sample, and margins along the side of a shadow would add up to a cliff.
 void forgive_edges(const Demand& demand, Field<float>& dark) {
     const auto shadow = [&](int x, int y) {
         return demand.parts.contains(x, y) && demand.parts(x, y) == Part::kShadow;

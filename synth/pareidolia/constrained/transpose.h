@@ -7,7 +7,7 @@
 
 namespace cydonia::pareidolia {
 
-// out(y, x) = in(x, y), in tiles that fit the nearest cache both ways.
+// Sets out(y, x) = in(x, y), in tiles that fit the nearest cache in both directions.
 inline Field<float> transposed(const Field<float>& in) {
     constexpr int kTile = 32;
     Field<float> out(in.height(), in.width());

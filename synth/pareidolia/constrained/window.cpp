@@ -7,8 +7,8 @@
 namespace cydonia::pareidolia {
 namespace {
 
-// Of the terrain's longer side: how far the window reaches beyond the image, and the gaps
-// that belong to it.
+// As shares of the terrain's longer side: how far the window extends beyond the image,
+// and the width of gaps that belong to it.
 constexpr double kReach = 0.08, kGap = 0.16;
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace cydonia::pareidolia {
 
-// Where an image counts: around it, its gaps closed, with a border that wanders by
-// `noise` (0 to 1, same shape) so that no eye finds it.
+// The window in which an image counts: the image with its gaps closed and ground around
+// it. `noise` (0 to 1, same shape) makes its border irregular, so that it cannot be seen.
 Field<std::uint8_t> window_of(const Field<std::uint8_t>& target,
                               const Field<float>& noise);
 

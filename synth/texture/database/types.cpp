@@ -34,7 +34,7 @@ Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& typ
 }
 
 // Unions of `factor` by `factor` cells. A cell of any type asks for nothing and is left
-// out, else a thin band would be lost on coarse levels (notes.md, Gain 2015, 5).
+// out, else a thin band would be lost on coarse levels (docs/papers.md, Gain 2015, 5).
 Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int height) {
     Field<TypeSet> result(width, height, kAnyType);
     parallel_for(height, 16, [&](int y) {

@@ -28,7 +28,7 @@ constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
 
 // How much a height offset costs beside the four neighbours, from level 0 on:
 // free on coarse levels it evens out the land's relief, held on fine ones it holds seams
-// (notes.md, trial 3; bench/realism.sh).
+// (docs/papers.md, trial 3; bench/realism.sh).
 constexpr float kOffsetPrices[] = {0.0f, 0.0f, 0.0f, 0.5f, 2.0f, 4.0f};
 float offset_price(int level) {
     return kOffsetPrices[std::min<std::size_t>(std::size_t(level),

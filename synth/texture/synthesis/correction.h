@@ -10,7 +10,7 @@ inline constexpr int kPasses = 2;
 inline constexpr int kCorrectionHalo = 2 * 4 * kPasses;
 
 // On the finest two levels places are snapped to the centres of cells: real-valued ones
-// smooth the finest detail away (notes.md, trial 1).
+// smooth the finest detail away (docs/papers.md, trial 1).
 inline bool is_snapped(int level, const Controls& controls) {
     return level <= controls.finest + 1;
 }
@@ -29,7 +29,7 @@ void correct(Synthesis& land, const Database& database, const Controls& controls
              const Asked& asked, const Kept& kept, int pass);
 
 // What the passes of a level have left of the errors at points and curves, taken off
-// smoothly (notes.md, trial 10). Looks kLiftHalo cells around.
+// smoothly (docs/papers.md, trial 10). Looks kLiftHalo cells around.
 inline constexpr int kLiftHalo = 12;
 void lift(Synthesis& land, const Database& database, const Asked& asked,
           const Kept& kept);

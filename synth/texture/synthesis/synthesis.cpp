@@ -14,7 +14,7 @@ namespace cydonia::texture {
 namespace {
 
 // Eq. 1 and 2. On the finest two levels places are snapped to the centres of cells, which
-// keeps the exemplar's finest detail (notes.md, trial 1).
+// keeps the exemplar's finest detail (docs/papers.md, trial 1).
 Synthesis upsampled(const Synthesis& coarse, const Database& database,
                     const Controls& controls, const Window& window) {
     const Level& level = database.levels[std::size_t(window.level)];

@@ -1,13 +1,13 @@
 // B. Rusnell, "Distance-based terrain synthesis" (2009), section 3.3.1.
 
-#include "synth/distance/growth.h"
+#include "synth/distance/cost_model.h"
 
 #include <cmath>
 
 namespace cydonia::distance {
 namespace {
 
-// Which descents the paths of these starts may follow.
+// The descents that the paths of these starts may follow.
 std::array<bool, 256> used_by(const Shapes& shapes, std::size_t starts, int first) {
     std::array<bool, 256> used{};
     for (std::size_t i = 0; i < starts; ++i) {
@@ -31,7 +31,8 @@ EvenKey::EvenKey(const Shapes& shapes, std::span<const Start> starts, int first_
     first_ = static_cast<float>(first);
     per_cost_ = static_cast<float>(1.0 / bin);
 
-    // How far down its profile a path is at this cost, as a share; rounded outwards.
+    // How far down its profile a path is at this cost, as a share of it, rounded
+    // outwards.
     const auto share_down = [&](double cost, double start) {
         return std::clamp((cost - start) / (shapes.sea_level - start), 0.0, 1.0);
     };
@@ -51,8 +52,8 @@ EvenKey::EvenKey(const Shapes& shapes, std::span<const Start> starts, int first_
     }
 }
 
-ProfileGrowth::ProfileGrowth(const Shapes& shapes, std::span<const Start> starts,
-                             int first)
+ProfileCostModel::ProfileCostModel(const Shapes& shapes, std::span<const Start> starts,
+                                   int first)
     : descents_(shapes.descents.data()),
       ways_(shapes.ways.data() + first),
       starts_(starts),
@@ -61,16 +62,16 @@ ProfileGrowth::ProfileGrowth(const Shapes& shapes, std::span<const Start> starts
       per_sea_level_(static_cast<float>(1.0 / shapes.sea_level)),
       key_(shapes, starts, first) {}
 
-ChangingGrowth::ChangingGrowth(const Shapes& shapes, std::span<const Start> starts,
-                               int first)
-    : ProfileGrowth(shapes, starts, first),
+ChangingCostModel::ChangingCostModel(const Shapes& shapes, std::span<const Start> starts,
+                                     int first)
+    : ProfileCostModel(shapes, starts, first),
       other_ways_(shapes.other_ways.empty() ? nullptr : shapes.other_ways.data() + first),
       way_at_(shapes.way_at),
       shapes_(&shapes),
       first_(first) {}
 
-// The side is that of the nearest start's: a path that crosses a stroke changes sides, by
-// whatever steps it does so.
+// A node takes its side from the nearest start, so that a path that crosses a stroke
+// changes sides whatever its steps.
 void lay_sides(Shapes& shapes, const Graph& graph, std::span<const Start> starts,
                std::span<const std::array<float, 2>> sides) {
     constexpr int kReach = Shapes::kBeside;
@@ -91,7 +92,7 @@ void lay_sides(Shapes& shapes, const Graph& graph, std::span<const Start> starts
                 const float across =
                     east * static_cast<float>(dx) + south * static_cast<float>(dy);
                 nearest[node] = static_cast<std::uint8_t>(square);
-                // On the stroke, or straight on from its end: neither side.
+                // A node on the stroke, or straight ahead of its end, is on neither side.
                 shapes.beside[node] =
                     std::abs(across) < 1e-3f ? -1 : shapes.feature_of[i];
                 shapes.side_at[node] = across < 0.0f ? 1 : 0;

@@ -13,8 +13,8 @@
 
 namespace cydonia::distance {
 
-// Raw edge weights: no profile.
-struct RawGrowth {
+// The sum of raw edge weights, without a profile.
+struct RawCostModel {
     std::span<const Start> starts;
 
     static constexpr bool kOneWay = true;
@@ -29,8 +29,9 @@ struct RawGrowth {
     float least_step(float edge) const { return edge; }
 };
 
-// A constant profile for each start: every edge of a path times its origin's factor.
-struct ConstantGrowth {
+// A constant profile for each start: the weight of every edge of a path is multiplied by
+// its origin's factor.
+struct ConstantCostModel {
     std::span<const Start> starts;
     std::span<const float> factors;  // as many as starts, each > 0
 
@@ -49,7 +50,7 @@ struct ConstantGrowth {
     }
 };
 
-// The profiles of a stage and where each holds, ready for its passes.
+// The profiles of a stage, and where each of them holds, prepared for the passes.
 struct Shapes {
     static constexpr std::uint8_t kOwn = 255;
 
@@ -57,15 +58,17 @@ struct Shapes {
     double mean_edge_weight = 1.0;     // mu_w
     std::vector<Descent> descents{};   // by way; none: raw edge weights
     std::vector<std::uint8_t> ways{};  // the descent of each start
-    // With two sides: the descent of each start beyond its stroke, and beside the strokes
-    // (kBeside cells, more than a step) of which feature a node is on a side, -1
-    // elsewhere, and on which, 1 beyond.
+    // When features have two sides: the descent of each start on the far side of its
+    // stroke. `beside` gives, for the nodes within kBeside cells of a stroke (more than a
+    // step), the feature of that stroke, and -1 elsewhere; `side_at` is 1 on the far
+    // side.
     static constexpr int kBeside = 3;
     std::vector<std::uint8_t> other_ways{};
     std::vector<int> feature_of{};  // each start
     std::vector<int> beside{};
     std::vector<std::uint8_t> side_at{};
-    // With regions: the descent that holds at each node; kOwn: the feature's.
+    // When there are regions: the descent that holds at each node; kOwn is the feature's
+    // own.
     std::vector<std::uint8_t> way_at{};
     std::vector<std::uint8_t> region_ways{};  // all that way_at has, but kOwn
 
@@ -73,17 +76,18 @@ struct Shapes {
     bool plain() const { return other_ways.empty() && way_at.empty(); }
 };
 
-// Fills `beside` and `side_at` from the starts' unit vectors into their first side; none
-// where a vector is zero.
+// Fills `beside` and `side_at` from the starts' unit vectors, which point into their
+// first side. A start whose vector is zero has no sides.
 void lay_sides(Shapes& shapes, const Graph& graph, std::span<const Start> starts,
                std::span<const std::array<float, 2>> sides);
 
-// A key that rises evenly where cost rises unevenly: along every path by at least as much
-// as the path is long, whatever profile it follows, since its slope over cost is one by
-// the least slope that any path of these starts can have there.
+// A key for the queue that rises evenly where cost rises unevenly. Along every path it
+// rises by at least the length of the path, whatever profile it follows: at each cost the
+// key's slope is the reciprocal of the least slope that a path of these starts can have
+// there.
 class EvenKey {
   public:
-    // `first`: the index of the first of `starts` in `shapes`.
+    // `first` is the index of the first of `starts` in `shapes`.
     EvenKey(const Shapes& shapes, std::span<const Start> starts, int first);
 
     float operator()(float cost) const {
@@ -102,16 +106,17 @@ class EvenKey {
     std::array<float, kBins + 1> keys_{};
 };
 
-// Along profiles: eq. 3.4 to 3.6 integrated along the path. By eq. 3.6 every generator
-// shows the whole profile, smaller where it starts lower: the same slopes over a shorter
-// way. `length` is of the raw edge weights, of which mean_edge_weight make a metre.
-class ProfileGrowth {
+// The cost along profiles: eq. 3.4 to 3.6 integrated along the path. By eq. 3.6 every
+// generator shows the whole profile; where it starts lower the profile is smaller, with
+// the same slopes over a shorter way. Lengths are sums of raw edge weights, of which
+// mean_edge_weight make a metre.
+class ProfileCostModel {
   public:
     static constexpr bool kOneWay = true;
 
-    // `starts`, all below sea level cost, have their ways in `shapes` from index `first`
-    // on; both outlive this.
-    ProfileGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
+    // All `starts` must cost less than sea level. Their ways are in `shapes` from index
+    // `first` on. Both must outlive this object.
+    ProfileCostModel(const Shapes& shapes, std::span<const Start> starts, int first);
 
     Label begin(int origin) const { return {.cost = starts_[origin].cost}; }
     auto from(int /*node*/, const Label& label) const {
@@ -136,19 +141,19 @@ class ProfileGrowth {
     EvenKey key_;
 };
 
-// The next float; `cost` is finite and not negative.
+// The next larger float. `cost` must be finite and not negative.
 inline float just_above(float cost) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(cost) + 1);
 }
 
-// The same where the profile changes on the way: beside its own stroke a path takes the
-// profile of that side, in a region the region's. It goes on at the height at which it
-// comes in.
-class ChangingGrowth : public ProfileGrowth {
+// The same where the profile changes along the path: beside its own stroke a path takes
+// the profile of that side, and in a region the region's. It continues at the height at
+// which it entered.
+class ChangingCostModel : public ProfileCostModel {
   public:
     static constexpr bool kOneWay = false;
 
-    ChangingGrowth(const Shapes& shapes, std::span<const Start> starts, int first);
+    ChangingCostModel(const Shapes& shapes, std::span<const Start> starts, int first);
 
     Label begin(int origin) const {
         return {.cost = starts_[origin].cost, .way = ways_[origin]};
