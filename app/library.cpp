@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-using genetic::Analysis;
-using genetic::Library;
-using genetic::Quantity;
+using statistics::Analysis;
+using statistics::Library;
+using statistics::Quantity;
 
 // A library at one level of detail; types that have no example there are left out.
 struct Level {
@@ -35,7 +35,7 @@ void say_few(const genetic::TypeOptions& type, const std::vector<Level>& levels,
              Console& console) {
     std::size_t most = 0;
     for (const Level& level : levels)
-        for (const genetic::Type& own : level.library.types())
+        for (const statistics::Type& own : level.library.types())
             if (own.name == type.name) most = std::max(most, own.examples.size());
     if (type.examples.empty())
         console.warn(fmt::format("'{}' has no examples: nothing is like it", type.name));
@@ -52,7 +52,7 @@ void say_few(const genetic::TypeOptions& type, const std::vector<Level>& levels,
 std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& analyst,
                              Console& console) {
     // Level by level of one model, so that it is read once.
-    std::vector<std::vector<genetic::Type>> types(options.levels.size());
+    std::vector<std::vector<statistics::Type>> types(options.levels.size());
     double done = 0.0, all = 0.0;
     for (const auto& type : options.types) all += double(type.examples.size());
     for (const auto& type : options.types) {
@@ -67,7 +67,7 @@ std::vector<Level> levels_of(const genetic::LibraryOptions& options, Analyst& an
     std::vector<Level> levels;
     for (std::size_t l = 0; l < types.size(); ++l) {
         std::erase_if(types[l],
-                      [](const genetic::Type& type) { return type.examples.empty(); });
+                      [](const statistics::Type& type) { return type.examples.empty(); });
         if (!types[l].empty()) levels.push_back({options.levels[l], Library(types[l])});
     }
     for (const auto& type : options.types) say_few(type, levels, console);
@@ -90,9 +90,9 @@ std::string shortened(const std::string& name) {
 // The types with their numbers; a line of each says `rest`.
 void print_types_of(const Level& level, std::string_view head,
                     const std::function<std::string(std::size_t)>& rest) {
-    const std::vector<genetic::Type>& types = level.library.types();
+    const std::vector<statistics::Type>& types = level.library.types();
     std::size_t width = 8;
-    for (const genetic::Type& type : types)
+    for (const statistics::Type& type : types)
         width = std::max(width, std::min(kLongestName, type.name.size()));
     fmt::print("{:g} m\n{:{}}  {}\n", level.spacing, "", width + 6, head);
     for (std::size_t t = 0; t < types.size(); ++t)
@@ -109,8 +109,8 @@ void print_quantities(const Library& library,
         fmt::print("  {:15}", "");
         for (std::size_t t = first; t < last; ++t) fmt::print("  {:>4}", t + 1);
         fmt::print("\n");
-        for (int q = 0; q < genetic::kQuantities; ++q) {
-            fmt::print("  {:15}", genetic::kQuantityNames[std::size_t(q)]);
+        for (int q = 0; q < statistics::kQuantities; ++q) {
+            fmt::print("  {:15}", statistics::kQuantityNames[std::size_t(q)]);
             for (std::size_t t = first; t < last; ++t)
                 fmt::print("  {:>4.2f}", value(t, Quantity(q)));
             fmt::print("\n");
@@ -171,7 +171,7 @@ double segmented_level(const std::vector<std::pair<Level, Analysis>>& levels,
 // What types the land is made of, on a map.
 void cut_into_types(const LibraryRequest& request, const genetic::LibraryOptions& options,
                     double spacing, Analyst& analyst, Console& console) {
-    std::vector<genetic::Type> types;
+    std::vector<statistics::Type> types;
     for (const auto& type : options.types) {
         types.push_back({type.name, {}, type.colour});
         for (const genetic::Example& example : type.examples)
@@ -257,9 +257,9 @@ void classify_by_library(const LibraryRequest& request, Console& console) {
             fmt::print("{:g} m: {} ({:.2f})\n", level.spacing, library.types()[best].name,
                        library.similarity(best, land));
             const Library more = library.with(best, land);
-            for (int q = 0; q < genetic::kQuantities; ++q)
+            for (int q = 0; q < statistics::kQuantities; ++q)
                 fmt::print("  {:15}  agreement {:.2f}, with it {:.2f}\n",
-                           genetic::kQuantityNames[std::size_t(q)],
+                           statistics::kQuantityNames[std::size_t(q)],
                            library.agreement(best, Quantity(q)),
                            more.agreement(best, Quantity(q)));
         }

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 namespace cydonia {
 namespace {
 
-using genetic::Analysis;
 using genetic::Example;
+using statistics::Analysis;
 using Json = nlohmann::json;
 using Mask = Field<std::uint8_t>;
 
@@ -27,7 +27,7 @@ constexpr int kTrimmed = 30;      // samples about voids
 
 Json json_of(const Analysis& analysis) {
     Json all = Json::array();
-    for (const genetic::Statistics& s : analysis)
+    for (const statistics::Statistics& s : analysis)
         all.push_back({s.count, s.mean, s.deviation, s.skewness, s.kurtosis});
     return all;
 }
@@ -78,7 +78,7 @@ Field<T> part_of(const Field<T>& whole, const std::array<double, 4>& window) {
 
 Mask at_level(const Mask& mask, double cell, const Terrain& land) {
     if (std::ranges::find(mask, 1) == mask.end()) return {};
-    return genetic::touched(mask, cell, land.heights.width(), land.heights.height());
+    return statistics::touched(mask, cell, land.heights.width(), land.heights.height());
 }
 
 double share_of(const Mask& mask) {
@@ -98,7 +98,7 @@ Field<std::uint8_t> Studied::inside() const {
     if (voids.empty() && water.empty()) return {};
     Mask inside(terrain.heights.width(), terrain.heights.height(), 1);
     // The slope beside water is half the water's.
-    const Mask shore = water.empty() ? Mask{} : genetic::grown(water, 1);
+    const Mask shore = water.empty() ? Mask{} : statistics::grown(water, 1);
     for (std::size_t i = 0; i < inside.size(); ++i)
         if ((!voids.empty() && voids[i]) || (!shore.empty() && shore[i])) inside[i] = 0;
     return inside;
@@ -111,12 +111,12 @@ Analyst::Analyst(fs::path folder, Console& console)
 
 fs::path Analyst::file_of(const char* what, const Example& example, double level) const {
     const auto& w = example.window;
-    return folder_ /
-           fmt::format("{:016x}.json", hash_text(fmt::format(
-                                           "{} {} {:016x} {} {} {} {} {} {} {} {}", what,
-                                           genetic::kAnalysisVersion, example.source.hash,
-                                           w[0], w[1], w[2], w[3], level, example.scale,
-                                           example.vertical_scale, example.raise)));
+    return folder_ / fmt::format("{:016x}.json",
+                                 hash_text(fmt::format(
+                                     "{} {} {:016x} {} {} {} {} {} {} {} {}", what,
+                                     statistics::kAnalysisVersion, example.source.hash,
+                                     w[0], w[1], w[2], w[3], level, example.scale,
+                                     example.vertical_scale, example.raise)));
 }
 
 const Analyst::Model& Analyst::model_of(const Source& source) {
@@ -125,9 +125,9 @@ const Analyst::Model& Analyst::model_of(const Source& source) {
         model_ = std::make_shared<Model>();
         model_->hash = source.hash;
         model_->terrain = read_dem(source, nullptr, &model_->voids);
-        model_->water = genetic::water_of(model_->terrain.heights);
+        model_->water = statistics::water_of(model_->terrain.heights);
         if (!model_->voids.empty())
-            model_->voids = genetic::grown(model_->voids, kTrimmed);
+            model_->voids = statistics::grown(model_->voids, kTrimmed);
     }
     return *model_;
 }
@@ -141,7 +141,7 @@ std::optional<Studied> Analyst::studied(const Example& example, double level) {
     for (float& height : part.heights)
         height = float(height * example.vertical_scale + example.raise);
     Studied studied;
-    studied.terrain = genetic::at_level(part, level);
+    studied.terrain = statistics::at_level(part, level);
     const Terrain& land = studied.terrain;
     if (std::min(land.heights.width(), land.heights.height()) < kFewestSamples) return {};
     const double cell = level / part.spacing;
@@ -191,9 +191,9 @@ std::optional<Analysis> Analyst::operator()(const Example& example, double level
             found->water = share_of(studied->water);
             const Mask inside = studied->inside();
             if (inside.empty())
-                found->analysis = genetic::analysis_of(studied->terrain);
+                found->analysis = statistics::analysis_of(studied->terrain);
             else if (std::ranges::count(inside, 1) >= kFewestSamples * kFewestSamples)
-                found->analysis = genetic::analysis_of(studied->terrain, inside);
+                found->analysis = statistics::analysis_of(studied->terrain, inside);
         }
         write_text(file, Json{{"statistics", json_of(found->analysis)},
                               {"voids", found->voids},
@@ -216,8 +216,8 @@ std::vector<Analysis> Analyst::windows(const Example& example, double level) {
     if (found) return *found;
     std::vector<Analysis> all;
     if (const auto studied = this->studied(example, level))
-        all = genetic::spread_windows(
-            genetic::window_analyses(studied->terrain, studied->inside()));
+        all = statistics::spread_windows(
+            statistics::window_analyses(studied->terrain, studied->inside()));
     Json json = Json::array();
     for (const Analysis& one : all) json.push_back(json_of(one));
     write_text(file, json.dump());

@@ -34,10 +34,11 @@ class Analyst {
 
     // None where the model is too coarse or too small for the level, or too little of it
     // is land. What is left out is said, once for each example.
-    std::optional<genetic::Analysis> operator()(const genetic::Example& example,
-                                                double level);
+    std::optional<statistics::Analysis> operator()(const genetic::Example& example,
+                                                   double level);
     // Of windows spread over it; none where there is no analysis.
-    std::vector<genetic::Analysis> windows(const genetic::Example& example, double level);
+    std::vector<statistics::Analysis> windows(const genetic::Example& example,
+                                              double level);
     // None where the model is too coarse or too small.
     std::optional<Studied> studied(const genetic::Example& example, double level);
 

@@ -11,13 +11,13 @@
 namespace cydonia {
 namespace {
 
-using genetic::Analysis;
-using genetic::Statistics;
+using statistics::Analysis;
+using statistics::Statistics;
 
 constexpr double kWidth = 860.0, kLeft = 190.0, kRight = 30.0;  // pixels
 constexpr double kRow = 22.0, kHead = 34.0, kFoot = 26.0, kTop = 44.0;
-constexpr int kPanels = (genetic::kQuantities + 1) / 2;  // in each of two columns
-constexpr std::array<const char*, genetic::kQuantities> kUnits = {
+constexpr int kPanels = (statistics::kQuantities + 1) / 2;  // in each of two columns
+constexpr std::array<const char*, statistics::kQuantities> kUnits = {
     "m",
     "degrees",
     "asinh of 100 times the change of slope a sample",
@@ -65,7 +65,7 @@ std::string panel(const std::vector<Row>& rows, int quantity, double top) {
             }
     const auto q = std::size_t(quantity);
     std::string text = fmt::format("<text x='12' y='{}' class='head'>{}, {}</text>\n",
-                                   top + 20.0, genetic::kQuantityNames[q], kUnits[q]);
+                                   top + 20.0, statistics::kQuantityNames[q], kUnits[q]);
     if (!(high > low)) return text;
     const auto x = [&](double value) {
         return kLeft + (value - low) / (high - low) * (kWidth - kLeft - kRight);
@@ -105,11 +105,11 @@ std::string panel(const std::vector<Row>& rows, int quantity, double top) {
 
 }  // namespace
 
-std::string library_plot(const genetic::Library& library, double level,
+std::string library_plot(const statistics::Library& library, double level,
                          const std::string& land_name, const Analysis* land) {
     std::string panels;
     double top = kTop, high = 0.0;
-    for (int q = 0; q < genetic::kQuantities; ++q) {
+    for (int q = 0; q < statistics::kQuantities; ++q) {
         if (q % kPanels == 0) {
             top = kTop;
             panels += fmt::format("{}<g transform='translate({},0)'>\n", q ? "</g>" : "",

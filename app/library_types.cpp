@@ -16,7 +16,7 @@ constexpr double kMixed = 0.15;  // of land, of the second type
 constexpr Rgb8 kWater = {24, 44, 84}, kVoid = {0, 0, 0}, kNone = {150, 150, 150};
 
 // A window of the model, in shares, all of it within the rectangle.
-std::string window_text(const genetic::Rectangle& r, int width, int height) {
+std::string window_text(const statistics::Rectangle& r, int width, int height) {
     const auto up = [](double share) {
         return std::max(0.0, std::ceil(share * 1000.0 - 1e-6)) / 1000.0;
     };
@@ -30,16 +30,17 @@ std::string window_text(const genetic::Rectangle& r, int width, int height) {
 
 }  // namespace
 
-TypeMap type_map(const genetic::Library& library, Studied land) {
+TypeMap type_map(const statistics::Library& library, Studied land) {
     const Field<std::uint8_t> inside = land.inside();
     TypeMap map;
-    map.types = genetic::sample_types(
-        genetic::block_types(library, genetic::window_analyses(land.terrain, inside)),
+    map.types = statistics::sample_types(
+        statistics::block_types(library,
+                                statistics::window_analyses(land.terrain, inside)),
         land.terrain.heights.width(), land.terrain.heights.height());
     map.shares.assign(library.types().size(), 0.0);
     double all = 0.0;
     for (std::size_t i = 0; i < map.types.size(); ++i)
-        if (map.types[i] != genetic::kNoType && (inside.empty() || inside[i]))
+        if (map.types[i] != statistics::kNoType && (inside.empty() || inside[i]))
             map.shares[std::size_t(map.types[i])] += 1.0, all += 1.0;
     for (double& share : map.shares) share /= std::max(1.0, all);
     map.land = std::move(land);
@@ -47,14 +48,15 @@ TypeMap type_map(const genetic::Library& library, Studied land) {
 }
 
 void write_type_picture(const std::filesystem::path& file,
-                        const genetic::Library& library, const TypeMap& map) {
+                        const statistics::Library& library, const TypeMap& map) {
     const Terrain& terrain = map.land.terrain;
     const Field<float> shade = render::relief(terrain.heights, terrain.spacing);
     Field<Rgb8> picture(shade.width(), shade.height());
     for (std::size_t i = 0; i < picture.size(); ++i) {
         const int type = map.types[i];
-        Rgb8 colour =
-            type == genetic::kNoType ? kNone : library.types()[std::size_t(type)].colour;
+        Rgb8 colour = type == statistics::kNoType
+                          ? kNone
+                          : library.types()[std::size_t(type)].colour;
         double light = 0.25 + 0.95 * double(shade[i]), white = 0.2;
         if (!map.land.water.empty() && map.land.water[i])
             colour = kWater, light = 1.0, white = 0.0;
@@ -67,7 +69,7 @@ void write_type_picture(const std::filesystem::path& file,
     write_png(file, picture);
 }
 
-bool print_types(const genetic::Library& library, const TypeMap& map,
+bool print_types(const statistics::Library& library, const TypeMap& map,
                  const std::filesystem::path& land) {
     std::vector<std::size_t> order;  // by their shares
     for (std::size_t t = 0; t < map.shares.size(); ++t)
@@ -82,7 +84,7 @@ bool print_types(const genetic::Library& library, const TypeMap& map,
     fmt::print("windows of one type, as examples\n");
     for (const std::size_t t : order) {
         if (map.shares[t] < kMixed) break;
-        const genetic::Rectangle r = genetic::largest_rectangle(map.types, int(t));
+        const statistics::Rectangle r = statistics::largest_rectangle(map.types, int(t));
         if (std::min(r.x1 - r.x0, r.y1 - r.y0) < kFewestSamples)
             fmt::print("    # {}: none of {} samples a side\n", library.types()[t].name,
                        kFewestSamples);

@@ -16,15 +16,15 @@ struct TypeMap {
     std::vector<double> shares;  // of land, a type
 };
 // `library`: of windows.
-TypeMap type_map(const genetic::Library& library, Studied land);
+TypeMap type_map(const statistics::Library& library, Studied land);
 
 // The types' colours over shaded relief; water is dark blue, voids are black.
 void write_type_picture(const std::filesystem::path& file,
-                        const genetic::Library& library, const TypeMap& map);
+                        const statistics::Library& library, const TypeMap& map);
 
 // Each type's share and colour; of a land of several types the windows that are of one,
 // as a library's TOML file has them. Whether it is mixed.
-bool print_types(const genetic::Library& library, const TypeMap& map,
+bool print_types(const statistics::Library& library, const TypeMap& map,
                  const std::filesystem::path& land);
 
 }  // namespace cydonia

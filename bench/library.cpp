@@ -15,7 +15,7 @@
 #include "synth/statistics/scale_space.h"
 
 using namespace cydonia;
-using namespace cydonia::genetic;
+using namespace cydonia::statistics;
 
 // By OpenCV's transform of a whole field, of a size that suits it.
 double fourier_seconds(const Field<float>& field) {

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::bench {
 
 namespace {
 
-using texture::Place;
+using texture::Origin;
 using texture::Spot;
 using texture::Step;
 
@@ -31,7 +31,7 @@ Step turned_back(int orientation, Step step) {
     return step;
 }
 
-Sight sight(Place place, int x, int y, int side) {
+Sight sight(Origin place, int x, int y, int side) {
     const Spot spot = texture::spot_of(place);
     const int column = spot.x / 2, row = spot.y / 2;
     const Step to_middle{column / side * side + side / 2 - column,
@@ -45,7 +45,7 @@ Sight sight(Place place, int x, int y, int side) {
 }
 
 // Sorted by block.
-std::vector<Sight> showings(const Field<Place>& places, int side) {
+std::vector<Sight> showings(const Field<Origin>& places, int side) {
     std::vector<Sight> sights;
     sights.reserve(places.size());
     for (int y = 0; y < places.height(); ++y)
@@ -66,7 +66,7 @@ double distance(const Sight& a, const Sight& b) {
 
 }  // namespace
 
-Repeats repeats(const Field<Place>& places, int side) {
+Repeats repeats(const Field<Origin>& places, int side) {
     const std::vector<Sight> all = showings(places, side);
     Repeats result;
     int again = 0;

@@ -13,6 +13,6 @@ struct Repeats {
     double nearest = 0.0;  // cells between two showings of a block; 0: there are none
     int most = 0;          // showings of one block
 };
-Repeats repeats(const Field<texture::Place>& places, int side);
+Repeats repeats(const Field<texture::Origin>& places, int side);
 
 }  // namespace cydonia::bench

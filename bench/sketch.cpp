@@ -50,7 +50,7 @@ double jagged(double share) {
 }
 
 Landform landform_through(const std::vector<Point2>& points, double boundary) {
-    const texture::Shape shadow = texture::shape_through(points, "ridge");
+    const geometry::Shape shadow = geometry::shape_through(points, "ridge");
     const int values = int(shadow.length() / kSpacing) + 1;
     Landform landform{shadow,
                       Field<float>(values, 1),
@@ -70,7 +70,7 @@ void speed() {
     const Landform landform = landform_through(
         {{0.0, 0.45 * kWidth}, {0.5 * kWidth, 0.55 * kWidth}, {kWidth, 0.5 * kWidth}},
         kWidth);
-    const texture::Shape loop = texture::shape_through(
+    const geometry::Shape loop = geometry::shape_through(
         {{0.0, 0.0}, {kWidth, 0.0}, {kWidth, kWidth}, {0.0, kWidth}, {0.0, 0.0}}, "loop");
     const NoiseLevels noise = noise_of(landform.silhouette, kLevels, false);
     fmt::print(

@@ -106,7 +106,7 @@ Subject subject_of(const fs::path& path, const fs::path& cache) {
 
 struct Land {
     Terrain terrain;
-    Field<texture::Place> places;
+    Field<texture::Origin> places;
     double seconds = 0.0;
 };
 
@@ -120,7 +120,7 @@ Land land_of(const texture::Database& database, int seed, int width, int height)
         synthesised(database, controls, {},
                     Window{0, 0, 0, width, height}.grown(kReadOut), nullptr, silent);
     Land land{{heights_of(database, made), database.spacing, {}, {}, {}},
-              part(made.places, kReadOut, kReadOut, width, height),
+              part(made.origins, kReadOut, kReadOut, width, height),
               watch.seconds()};
     return land;
 }

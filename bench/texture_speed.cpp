@@ -31,7 +31,7 @@ void add_constraints(Options& options, double side, double low, double high,
         return low + (0.2 + 0.6 * drawn("height", i, j)) * (high - low);
     };
     for (int i = 0; i < 20; ++i) {
-        Curve curve{.name = fmt::format("curve {}", i + 1)};
+        geometry::Curve curve{.name = fmt::format("curve {}", i + 1)};
         const double x = drawn("x", i), y = drawn("y", i);
         for (int j = 0; j < 4; ++j)
             curve.points.push_back(

@@ -10,7 +10,6 @@
 namespace cydonia {
 namespace {
 
-constexpr int kLargestSide = 16384;
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
 // Formats that hold heights in a file of their own. VRT and similar formats open other

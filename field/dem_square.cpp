@@ -13,7 +13,6 @@ namespace cydonia {
 namespace {
 
 constexpr double kWidestDegrees = 20.0;  // beyond, no plane fits the ground within 2%
-constexpr int kLargestSide = 16384;
 
 struct Point {
     double x, y;

@@ -7,6 +7,9 @@
 
 namespace cydonia {
 
+// The most samples or pixels along a side of anything that is read or made.
+inline constexpr int kLargestSide = 16384;
+
 // A 2D grid of samples at cell centres: row 0 is the north edge, x grows east, rows are
 // contiguous.
 template <class T>

@@ -14,7 +14,6 @@
 namespace cydonia {
 namespace {
 
-constexpr int kLargestSide = 16384;
 constexpr int kMostChannels = 256;
 
 struct Format {

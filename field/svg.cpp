@@ -85,7 +85,7 @@ std::uint8_t unmultiplied(std::uint32_t value, std::uint32_t alpha) {
     return static_cast<std::uint8_t>(std::min(255u, (value * 255u + alpha / 2) / alpha));
 }
 
-constexpr int kRows = 16;  // at a time
+constexpr int kRowsAtOnce = 16;
 
 // Cairo stores premultiplied ARGB in native words.
 Field<Rgba8> pixels_of(cairo_surface_t* surface) {
@@ -94,7 +94,7 @@ Field<Rgba8> pixels_of(cairo_surface_t* surface) {
                        cairo_image_surface_get_height(surface), Rgba8{});
     const unsigned char* bytes = cairo_image_surface_get_data(surface);
     const int stride = cairo_image_surface_get_stride(surface);
-    parallel_for(image.height(), kRows, [&](int y) {
+    parallel_for(image.height(), kRowsAtOnce, [&](int y) {
         const auto* words =
             reinterpret_cast<const std::uint32_t*>(bytes + std::ptrdiff_t(y) * stride);
         for (Rgba8& pixel : image.row(y)) {

@@ -11,7 +11,7 @@
 
 namespace cydonia {
 
-// The samples of a terrain.
+// The grid of samples of a terrain.
 struct Extent {
     int columns = 0, rows = 0;
     double spacing = 1.0;  // metres
@@ -20,32 +20,33 @@ struct Extent {
     double depth() const { return spacing * rows; }
 };
 
-// Where a stage shows how it came to its land, when that was asked for.
+// Receives pictures and tables that show how a stage made its land. Exists only when the
+// user asked for an explanation.
 struct Explain {
-    // `name` is a file-name-safe word: a picture of what it says.
+    // `name` says what the picture shows and is safe as a file name.
     std::function<void(const std::string& name, const Field<Rgb8>& picture)> picture;
-    // Comma-separated values, a line of names first.
+    // `csv` is comma-separated values; its first line names the columns.
     std::function<void(const std::string& name, const std::string& csv)> table;
 };
 
-// What a stage remembers from run to run: files in a format of its own, of any size. They
-// may be damaged, or of a land of other samples.
+// Files in which a stage remembers something from run to run. Each method has a format of
+// its own. A file may be damaged, or may belong to a land with other samples.
 struct Memory {
-    std::filesystem::path last;  // what the run before kept; empty or missing: nothing
-    std::filesystem::path next;  // what this run keeps goes here (field/files.h)
+    std::filesystem::path last;  // of the previous run; empty or missing: nothing
+    std::filesystem::path next;  // where this run writes (field/files.h)
 };
 
-// What a stage may use besides its options and the terrain so far; owned by app/.
+// What a stage may use besides its options and the terrain so far. app/ owns all of it.
 struct Context {
     std::uint64_t seed =
-        0;  // of this stage: a hash of the scene's seed and the stage's place
-    // Hard shadows of the terrain under the sun, as the Embree caster sees them: `rays` x
-    // `rays` samples a cell, so (rays * width) x (rays * height), 1 in shadow.
+        0;  // of this stage: a hash of the scene's seed and the stage's number
+    // Casts hard shadows of a terrain under a sun with Embree. The result has `rays` x
+    // `rays` samples a cell, so (rays * width) x (rays * height), and is 1 in shadow.
     std::function<Field<std::uint8_t>(const Terrain&, const Sun&, int rays)> cast;
     Progress* progress = nullptr;      // never null when a stage runs
     const Explain* explain = nullptr;  // null unless asked for
-    const Memory* memory = nullptr;    // null where nothing is kept
-    // Where files that other runs can use are kept; empty: nowhere.
+    const Memory* memory = nullptr;    // null where a stage remembers nothing
+    // The folder of files that other runs can use, too; empty: there is none.
     std::filesystem::path cache = {};
 };
 

@@ -149,9 +149,10 @@ Terrain Land::made(int stage, const Explain* explain) {
 StageMemory Land::memory_of(int stage) const {
     const StageOptions& options =
         spec_.stages[static_cast<std::size_t>(stage - 1)].options;
-    const std::string method(method_of(options).name);
-    return follows_memory(options) ? StageMemory(cache_, stage, method, key(stage))
-                                   : StageMemory(cache_, stage, method);
+    const Method method = method_of(options);
+    const std::string name(method.name);
+    return method.follows_memory ? StageMemory(cache_, stage, name, key(stage))
+                                 : StageMemory(cache_, stage, name);
 }
 
 Field<float> Land::tile(int x, int y, int width, int height, Progress& progress) const {
@@ -161,8 +162,9 @@ Field<float> Land::tile(int x, int y, int width, int height, Progress& progress)
                 .progress = &progress,
                 .cache = cache_};
     };
-    return cydonia::tile(spec_.stage_options(), {width_, height_, spacing_}, context, x,
-                         y, width, height);
+    const std::vector<const StageOptions*> stages = spec_.stage_options();
+    return cydonia::tile(Stages(stages), {width_, height_, spacing_}, context, x, y,
+                         width, height);
 }
 
 fs::path Land::cached(int stage) const { return cached_terrain(cache_, key(stage)); }

@@ -8,9 +8,7 @@
 #include <limits>
 #include <sstream>
 
-#include "field/dem.h"
 #include "field/error.h"
-#include "field/image.h"
 
 namespace cydonia {
 namespace {
@@ -18,9 +16,7 @@ namespace {
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMega = 1'000'000;
 constexpr std::uint64_t kProgram = 175 * kMega;  // code, libraries, thread pools
-constexpr std::uint64_t kPasses = 268 * kMega;   // remembered of a stage, at most
-constexpr std::uint64_t kMostModel = std::uint64_t{16384} * 16384;  // cells
-constexpr std::uint64_t kPovray = 40 * kMega;                       // the same of POV-Ray
+constexpr std::uint64_t kPovray = 40 * kMega;    // the same of POV-Ray
 
 // The first number of a file such as the kernel's accounts; unlimited when there is none
 // ("max").
@@ -66,108 +62,13 @@ std::uint64_t ground_pixels(std::uint64_t cells) {
     return std::max(cells, std::min(16 * cells, std::uint64_t{4096} * 4096));
 }
 
-std::uint64_t exemplar_cells(const texture::Options& options) {
-    std::uint64_t cells = 0;
-    for (const texture::Exemplar& e : options.exemplars)
-        cells += std::min(kMostModel, samples_of_dem(e.source).value_or(e.source.size));
-    return cells;
-}
-
-// A picture's own pixels, and those that a drawing or two tones of it are drawn with.
-std::uint64_t of_image(const pareidolia::ImageOptions& image, std::uint64_t cells) {
-    constexpr std::uint64_t kFinest = std::uint64_t{4096} * 4096;
-    const std::uint64_t own = image.target ? pixels_of(*image.target) : 0;
-    const std::uint64_t drawn = own > 0 ? own : 16 * cells;
-    return 8 * own + 20 * std::min(drawn, kFinest) + 16 * cells;
-}
-
 }  // namespace
 
 namespace memory {
 
 std::uint64_t of_stage(const StageOptions& options, std::uint64_t cells,
                        std::uint64_t threads) {
-    struct Bytes {
-        std::uint64_t cells, threads;
-        // Every thread keeps the costs of the feature it is at; the passes of all are
-        // remembered for the next run, up to a bound, once as they grow and once to
-        // write.
-        std::uint64_t operator()(const distance::Options& o) const {
-            const std::uint64_t passes = std::min(kPasses, 200 * cells);
-            return cells * (80 + 25 * threads) + (o.preview ? 0 : 2 * passes);
-        }
-        // The model is read whole; our own exr files pack a height into a byte at best.
-        std::uint64_t operator()(const dem::Options& o) const {
-            return 24 * std::min(kMostModel,
-                                 samples_of_dem(o.source).value_or(o.source.size)) +
-                   16 * cells;
-        }
-        // The land with its own details, what is quilted and put together; targets with
-        // theirs, in every orientation.
-        std::uint64_t operator()(const detail::Options& o) const {
-            std::uint64_t targets = 0;
-            for (const detail::Target& target : o.targets)
-                targets +=
-                    std::min(kMostModel,
-                             samples_of_dem(target.source).value_or(target.source.size));
-            const std::uint64_t copies = static_cast<std::uint64_t>(o.orientations);
-            return (40 + (o.mappings.empty() && !o.paint ? 0 : 8)) * cells +
-                   (24 + 16 * copies) * targets;
-        }
-        // All scales of the land, footprints as large as it, and what lies under those
-        // that others are seen through; real land's noise is made like land.
-        std::uint64_t operator()(const sketch::Options& o) const {
-            constexpr std::uint64_t kDrawings = 64 * kMega;
-            const auto seen_through = static_cast<std::uint64_t>(
-                std::ranges::count_if(o.features, [](const sketch::Feature& feature) {
-                    return feature.view && !feature.view->through.empty();
-                }));
-            std::uint64_t noise = 0;
-            if (o.noise != sketch::NoiseKind::kWavelet && o.noise_from) {
-                texture::Options land;
-                land.exemplars.push_back({*o.noise_from, {}, {}});
-                noise =
-                    o.noise == sketch::NoiseKind::kTexture
-                        ? (*this)(land)
-                        : 40 * cells + 8 * static_cast<std::uint64_t>(o.levels) * cells;
-            }
-            return (120 + 4 * static_cast<std::uint64_t>(o.levels) +
-                    (seen_through > 0 ? 32 : 0)) *
-                       cells +
-                   noise + kDrawings;
-        }
-        // A population of heights and their statistics, all samples of the library at
-        // all levels, and what texture knows of them.
-        std::uint64_t operator()(const genetic::Options& o) const {
-            texture::Options land;
-            for (const genetic::TypeOptions& type : o.library.types)
-                for (const genetic::Example& example : type.examples)
-                    land.exemplars.push_back({example.source, {}, {}});
-            const auto types = static_cast<std::uint64_t>(o.library.types.size());
-            return 60 * exemplar_cells(land) + (*this)(land) +
-                   (60 + 8 * types +
-                    20 * static_cast<std::uint64_t>(o.evolution.population)) *
-                       cells;
-        }
-        // Measured 117 a cell of the exemplars while they are prepared, and 56 a cell of
-        // the land after that; 191 with recordings of all passes, for and of a run.
-        std::uint64_t operator()(const texture::Options& o) const {
-            const std::uint64_t exemplars = exemplar_cells(o);
-            return std::max(130 * exemplars,
-                            43 * exemplars + (o.coherent ? 215 : 80) * cells) +
-                   4 * o.types.size() * cells;
-        }
-        // Reading an image comes before solving for all of them.
-        std::uint64_t operator()(const pareidolia::Options& o) const {
-            // Rows of light follow the mesh with up to four samples a cell.
-            const bool rows = o.solver == pareidolia::Solver::kConstrained;
-            std::uint64_t needed = (rows ? 180 + 200 * o.images.size() : 160) * cells;
-            for (const pareidolia::ImageOptions& image : o.images)
-                needed = std::max(needed, of_image(image, cells));
-            return needed;
-        }
-    };
-    return kProgram + std::visit(Bytes{cells, threads}, options);
+    return kProgram + peak_memory(options, cells, threads);
 }
 
 std::uint64_t of_tile(std::span<const StageOptions* const> stages, const Extent& land,

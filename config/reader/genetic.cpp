@@ -12,9 +12,9 @@ namespace cydonia::config {
 
 using genetic::EvolutionOptions;
 using genetic::MapOptions;
+using genetic::MapRegion;
 using genetic::Optimiser;
 using genetic::Options;
-using genetic::Region;
 
 namespace {
 
@@ -52,7 +52,7 @@ void read_map(Table& t, Options& o) {
     t.field("map", file, File{});
     if (file && !t.describes())
         load(t, "map", [&] { o.map = load_map(file->path, o.library); });
-    std::vector<Region> drawn;
+    std::vector<MapRegion> drawn;
     t.tables("region", drawn, kMostRegions);
     t.field("automatic", o.map.automatic, Whole{0, 1000});
     t.check(int(file.has_value()) + int(!drawn.empty()) + int(o.map.automatic > 0) == 1,
@@ -71,7 +71,7 @@ void read_map(Table& t, Options& o) {
     t.only_if(o.map.refine, {"smoothness", "envelope"}, "refine = true");
 
     for (std::size_t i = 0; i < o.map.regions.size() && !t.describes(); ++i) {
-        const Region& region = o.map.regions[i];
+        const MapRegion& region = o.map.regions[i];
         std::vector<std::string> names;
         for (const auto& type : o.library.types) names.push_back(type.name);
         if (std::ranges::find(names, region.type) == names.end() && !names.empty())
@@ -84,7 +84,7 @@ void read_map(Table& t, Options& o) {
 
 }  // namespace
 
-void read(Table& t, Region& region) {
+void read(Table& t, MapRegion& region) {
     t.required("type", region.type, Text{64});
     region.name = region.type;
     t.field("name", region.name, Text{64});

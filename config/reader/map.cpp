@@ -19,7 +19,7 @@ namespace cydonia::config {
 
 using genetic::LibraryOptions;
 using genetic::MapOptions;
-using genetic::Region;
+using genetic::MapRegion;
 
 namespace {
 
@@ -28,7 +28,7 @@ constexpr std::array<double, 4> kUnset{0.0, 0.0, 0.0, 0.0};
 // The bounding box of all outlines.
 std::array<double, 4> bounds_of(const MapOptions& map) {
     std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
-    for (const Region& region : map.regions)
+    for (const MapRegion& region : map.regions)
         for (const auto& outline : region.outlines)
             for (const auto& [x, y] : outline)
                 box = {std::min(box[0], x), std::min(box[1], y), std::max(box[2], x),
@@ -43,7 +43,7 @@ std::string spaced(std::string name) {
 
 // Replaces the names of types by the library's spelling.
 void name_types(MapOptions& map, const LibraryOptions& library) {
-    for (Region& region : map.regions)
+    for (MapRegion& region : map.regions)
         for (const auto& type : library.types)
             if (spaced(type.name) == spaced(region.type)) region.type = type.name;
 }
@@ -65,7 +65,7 @@ void read(Table& t, MapOptions& map) {
 }
 
 std::string name_of_region(const MapOptions& map, const std::string& type) {
-    const auto alike = std::ranges::count(map.regions, type, &Region::type);
+    const auto alike = std::ranges::count(map.regions, type, &MapRegion::type);
     return alike == 0 ? type : fmt::format("{} {}", type, alike + 1);
 }
 

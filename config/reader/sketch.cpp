@@ -12,7 +12,7 @@ using sketch::Feature;
 using sketch::Hold;
 using sketch::NoiseKind;
 using sketch::Options;
-using sketch::Region;
+using sketch::RoughRegion;
 using sketch::Silhouette;
 using sketch::View;
 using sketch::Way;
@@ -95,7 +95,7 @@ void read(Table& t, Feature& feature, std::vector<std::string>& names) {
             "needs a height: give height, holds with heights, a silhouette or a view");
 }
 
-void read(Table& t, Region& region, std::vector<std::string>& names) {
+void read(Table& t, RoughRegion& region, std::vector<std::string>& names) {
     read_name(t, region.name, "region", names.size() + 1, names);
     read_way(t, region.way, 3);
     t.table("noise", region.noise);

@@ -61,13 +61,12 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
         fmt::format("at most {} tiles along a side are possible: set tiles to {} or more",
                     kMostTiles, (samples - 1) / kMostTiles / 256 * 256 + 256));
     for (std::size_t i = 0; i < stages.size(); ++i) {
-        const StageOptions& options = stages[i].options;
-        const std::string_view reason = whole_because(options);
-        t.check(reason.empty(), {"tiles"},
-                fmt::format("land of stage[{}] cannot be made in tiles: {}", i, reason));
-        t.check(makes_land(options) == (i == 0), {"tiles"},
-                "land in tiles needs a first stage that makes it, and only detail stages "
-                "after that");
+        const Method method = method_of(stages[i].options);
+        t.check(method.whole_because.empty(), {"tiles"},
+                fmt::format("land of stage[{}] cannot be made in tiles: {}", i,
+                            method.whole_because));
+        t.check(method.makes_land == (i == 0), {"tiles"},
+                "land in tiles has one stage that makes it, and details after that");
     }
 }
 

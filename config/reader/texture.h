@@ -20,9 +20,9 @@ struct TextureNames {
 // texture::Match has a byte for them.
 inline constexpr std::size_t kMostExemplars = kMostModels;
 
-void read(Table& t, texture::Point& point, TextureNames& names);  // texture_shapes.cpp
-void read(Table& t, texture::Curve& curve, TextureNames& names);  // texture_shapes.cpp
-void read(Table& t, texture::Paste& paste, TextureNames& names);  // texture_pastes.cpp
+void read(Table& t, geometry::Point& point, TextureNames& names);  // texture_shapes.cpp
+void read(Table& t, geometry::Curve& curve, TextureNames& names);  // texture_shapes.cpp
+void read(Table& t, texture::Paste& paste, TextureNames& names);   // texture_pastes.cpp
 
 // `name`, "point 3" unless the file gives one; no two the same.
 void read_name(Table& t, std::string& name, std::string_view kind, std::size_t number,

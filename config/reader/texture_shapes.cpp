@@ -8,9 +8,9 @@
 
 namespace cydonia::config {
 
-using texture::Curve;
-using texture::Handle;
-using texture::Point;
+using geometry::Curve;
+using geometry::Handle;
+using geometry::Point;
 
 namespace {
 

@@ -110,7 +110,7 @@ class Diagram {
         const bool on_paper = style_ == Style::kInk || style_ == Style::kContours;
         if (p.surface == Surface::kSky || p.surface == Surface::kOutskirts)
             return on_paper ? kPaper : kAround;
-        const Vec3 normal = vec(p.normal);
+        const Vec3 normal = vec3_of(p.normal);
         const double lit = std::max(0.0, dot(normal, to_sun_));
         const double shade = 0.25 + 0.75 * lit;
         const bool wet = p.surface == Surface::kWater;
@@ -140,7 +140,7 @@ class Diagram {
     // Shaded as a relief map, with every fifth contour line stronger.
     Rgb contoured(int x, int y, const Rgb& paper) const {
         const SeenPoint& p = points_(x, y);
-        const double lit = std::max(0.0, dot(vec(p.normal), to_sun_));
+        const double lit = std::max(0.0, dot(vec3_of(p.normal), to_sun_));
         const double level = std::max(0.1, to_sun_.z);
         Rgb colour = std::clamp(0.45 + 0.55 * lit / level, 0.0, 1.1) * paper;
         if (!is_land(p)) return colour;
@@ -165,8 +165,8 @@ class Diagram {
         for (const int step : {1, 3}) {
             const Beside h = beside(points_, x, y, step, 0),
                          v = beside(points_, x, y, 0, step);
-            const Vec3 across = vec(h.after.normal) - vec(h.before.normal);
-            const Vec3 down = vec(v.after.normal) - vec(v.before.normal);
+            const Vec3 across = vec3_of(h.after.normal) - vec3_of(h.before.normal);
+            const Vec3 down = vec3_of(v.after.normal) - vec3_of(v.before.normal);
             curvature += dot(across, axes_.right) - dot(down, axes_.up);
         }
         const double e = std::exp(kStrength * std::tanh(1.2 * curvature));
@@ -189,7 +189,7 @@ class Diagram {
                 if (!points_.contains(x, y)) continue;
                 const SeenPoint& p = points_(x, y);
                 if (p.surface != Surface::kLand) continue;
-                const Vec3 n = vec(p.normal);
+                const Vec3 n = vec3_of(p.normal);
                 const Vec3 look = rays_.through(x + 0.5, y + 0.5).direction;
                 const double facing = std::abs(dot(n, look));
                 const double dark = 1.0 - std::max(0.0, dot(n, to_sun_));
@@ -227,9 +227,9 @@ class Diagram {
     void stroke(Field<float>& ink, int x, int y, const Vec3& way, double length,
                 float strength) const {
         const SeenPoint& p = points_(x, y);
-        const auto from = rays_.project(vec(p.at));
+        const auto from = rays_.project(vec3_of(p.at));
         const double step = 1e-3 * std::max(1.0, double(p.depth));
-        const auto to = rays_.project(vec(p.at) + step * way);
+        const auto to = rays_.project(vec3_of(p.at) + step * way);
         const double far = std::hypot(to.x - from.x, to.y - from.y);
         if (far < 1e-9) return;
         const double dx = (to.x - from.x) / far, dy = (to.y - from.y) / far;

@@ -155,7 +155,7 @@ class PreviewLand::Picture {
             return land_.mean;
         const Terrain& land = view_.terrain();
         if (p.surface == Surface::kWater && shot_.around == Around::kLevel &&
-            !over_land(land, vec(p.at)))
+            !over_land(land, vec3_of(p.at)))
             return {};  // the open sea is deep
         const auto [east, north] = view_.on_land(p);
         return bilinear(land_.albedo, east / land.width() * land_.albedo.width() - 0.5,
@@ -184,7 +184,7 @@ class PreviewLand::Picture {
     Rgb natural(const SeenPoint& p, const Ray& ray, double sunlight) const {
         if (p.surface == Surface::kSky)
             return sky(ray.direction);  // its image includes the haze
-        const Vec3 normal = vec(p.normal);
+        const Vec3 normal = vec3_of(p.normal);
         const double lit = sunlight * std::max(0.0, dot(normal, to_sun_));
         const Rgb falling =
             lit * light_.day.sun + shot_.options.sky.fill * visible(p) * light_.day.sky;
@@ -197,7 +197,7 @@ class PreviewLand::Picture {
                                 std::abs(ray.direction.z)};
             seen = mixed(seen, sky(mirrored), fresnel(std::abs(ray.direction.z)));
         }
-        return hazed(seen, ray, length(vec(p.at) - ray.from));
+        return hazed(seen, ray, length(vec3_of(p.at) - ray.from));
     }
 
     Rgb hazed(const Rgb& colour, const Ray& ray, double distance) const {

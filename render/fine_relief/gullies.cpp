@@ -11,10 +11,10 @@
 namespace cydonia::render {
 namespace {
 
-constexpr float kOriginCell = 1.3f;   // side of a lattice cell, in wavelengths
-constexpr float kReach = 1.5f;  // reach of the stripes of an origin, in cells
-constexpr float kGullied = 0.14f,
-                kFullyGullied = 0.75f;  // slopes at which gullies begin and are full
+constexpr float kStripeCell = 1.3f;  // side of a lattice cell, in wavelengths
+constexpr float kReach = 1.5f;       // reach of the stripes of an origin, in cells
+constexpr float kLeastSlope = 0.14f,
+                kMostSlope = 0.75f;  // slopes at which gullies begin and are full
 constexpr float kWall = 1.1f,
                 kSheer =
                     3.0f;  // slopes over which they fade to 0.4, since water falls there
@@ -71,7 +71,7 @@ Wave blended(const Field<Origin>& from, float px, float py, float ax, float ay) 
 Field<float> gullies(const Field<float>& heights, double spacing, double wavelength,
                      std::uint64_t seed) {
     const int width = heights.width(), height = heights.height();
-    const auto lattice = static_cast<float>(spacing / (kOriginCell * wavelength));
+    const auto lattice = static_cast<float>(spacing / (kStripeCell * wavelength));
     const Field<Origin> from =
         origins(static_cast<int>(lattice * static_cast<float>(width)) + 1,
                 static_cast<int>(lattice * static_cast<float>(height)) + 1, seed);
@@ -90,9 +90,10 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
             const float south_rise = (heights(x, south) - heights(x, north)) * per_metre;
             const float slope =
                 std::sqrt(east_rise * east_rise + south_rise * south_rise);
-            if (slope <= kGullied) continue;
+            if (slope <= kLeastSlope) continue;
             // Across the slope, in turns a lattice cell.
-            const float ax = -south_rise / slope * kOriginCell, ay = east_rise / slope * kOriginCell;
+            const float ax = -south_rise / slope * kStripeCell,
+                        ay = east_rise / slope * kStripeCell;
             const float px = (static_cast<float>(x) + 0.5f) * lattice;
             const float py = (static_cast<float>(y) + 0.5f) * lattice;
             const Wave blend = blended(from, px, py, ax, ay);
@@ -108,7 +109,7 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
                 0.1, 1.4));
             const float wall = std::clamp((slope - kWall) / (kSheer - kWall), 0.0f, 1.0f);
             result(x, y) = (1.0f - 0.6f * wall) * deep *
-                           smoothstep(kGullied, kFullyGullied, slope) *
+                           smoothstep(kLeastSlope, kMostSlope, slope) *
                            std::min(1.0f, 2.0f * length) * (0.5f * u + 0.5f * sharp);
         }
     });

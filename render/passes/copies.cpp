@@ -99,11 +99,11 @@ Copies::Facet Copies::facet(unsigned instance, unsigned geometry, unsigned trian
     const auto shape = std::uint8_t(copy.first_shape + geometry);
     const auto& [part, normals] = shapes_[shape];
     const auto [a, b, c] = part.triangles[triangle];
-    const Vec3 normal =
-        normals.empty()
-            ? cross(vec(part.vertices[b]) - vec(part.vertices[a]),
-                    vec(part.vertices[c]) - vec(part.vertices[a]))
-            : (1.0 - u - v) * vec(normals[a]) + u * vec(normals[b]) + v * vec(normals[c]);
+    const Vec3 normal = normals.empty()
+                            ? cross(vec3_of(part.vertices[b]) - vec3_of(part.vertices[a]),
+                                    vec3_of(part.vertices[c]) - vec3_of(part.vertices[a]))
+                            : (1.0 - u - v) * vec3_of(normals[a]) +
+                                  u * vec3_of(normals[b]) + v * vec3_of(normals[c]);
     return {copy.kind, shape, turned(normalized(normal), copy.turn)};
 }
 

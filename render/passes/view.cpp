@@ -272,7 +272,7 @@ SeenPoint View::Scene::point(const Ray& ray, const Hit& hit, bool smooth,
 
 View::Scene::ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
     if (p.surface == Surface::kSky) return {};
-    Vec3 at = vec(p.at), normal = vec(p.normal);
+    Vec3 at = vec3_of(p.at), normal = vec3_of(p.normal);
     if (p.surface == Surface::kLand) {
         const Mesh::Spot s = mesh.spot(at.x, at.y);
         normal = mesh.face_normal(s);
@@ -329,7 +329,8 @@ void View::Scene::cloud(const Field<SeenPoint>& points, const Sun& sun,
     parallel_for(points.height(), 4, [&](int y) {
         for (int x = 0; x < points.width(); ++x) {
             if (points(x, y).surface == Surface::kSky || shadow(x, y) >= 1.0f) continue;
-            const double through = clouds.sunlight_through(vec(points(x, y).at) - middle);
+            const double through =
+                clouds.sunlight_through(vec3_of(points(x, y).at) - middle);
             shadow(x, y) = static_cast<float>(1.0 - (1.0 - shadow(x, y)) * through);
         }
     });

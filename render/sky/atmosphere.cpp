@@ -31,7 +31,7 @@ constexpr double kAerosolAlbedo = 0.9, kAerosolG = 0.8;
 constexpr double kThinAir = 0.01, kDustHeight = 11e3;
 constexpr Vec3 kDustG{0.72, 0.76, 0.82};
 constexpr double kEndless = 1e9;
-constexpr double kLowestSun = -0.2;          // sine of its elevation in the table
+constexpr double kLowestTabled = -0.2;       // sine of its elevation in the table
 constexpr double kDisc = 0.53 / 180.0 * pi;  // across
 
 double square(double v) { return v * v; }
@@ -97,7 +97,7 @@ Atmosphere::Atmosphere(const Sun& sun, const SkyOptions& options)
         aerosol_albedo_ = {(*dust)[0], (*dust)[1], (*dust)[2]};
     parallel_for(kSunAngles, [&](int j) {
         for (int i = 0; i < kSunLevels; ++i) {
-            const double z = kLowestSun + (1.0 - kLowestSun) * j / (kSunAngles - 1);
+            const double z = kLowestTabled + (1.0 - kLowestTabled) * j / (kSunAngles - 1);
             const double altitude = (kTop - kGround) * square(i / (kSunLevels - 1.0));
             sunlight_(i, j) = transmittance({0.0, 0.0, kGround + altitude},
                                             {std::sqrt(1.0 - z * z), 0.0, z});
@@ -164,7 +164,8 @@ Vec3 Atmosphere::sunlight(Vec3 p) const {
         std::sqrt(std::clamp((radius - kGround) / (kTop - kGround), 0.0, 1.0)) *
         (kSunLevels - 1);
     const double angle =
-        std::clamp((dot(p, sun_) / radius - kLowestSun) / (1.0 - kLowestSun), 0.0, 1.0) *
+        std::clamp((dot(p, sun_) / radius - kLowestTabled) / (1.0 - kLowestTabled), 0.0,
+                   1.0) *
         (kSunAngles - 1);
     const int i = std::min(static_cast<int>(level), kSunLevels - 2);
     const int j = std::min(static_cast<int>(angle), kSunAngles - 2);
@@ -178,7 +179,7 @@ Atmosphere::Medium Atmosphere::medium(Vec3 p) const {
     Medium m;
     m.rayleigh = std::exp(-altitude / kRayleighHeight) * rayleigh_;
     const Vec3 aerosol = std::exp(-altitude / aerosol_height_) * aerosol_;
-    m.aerosol = mul(aerosol_albedo_, aerosol);
+    m.aerosol = product(aerosol_albedo_, aerosol);
     const double ozone = std::max(0.0, 1.0 - std::abs(altitude - 25e3) / 15e3);
     m.extinction = m.rayleigh + aerosol + ozone * ozone_;
     return m;
@@ -193,7 +194,7 @@ Vec3 Atmosphere::phase(const Medium& m, double cosine) const {
                ((2.0 + g2) * std::pow(1.0 + g2 - 2.0 * g * cosine, 1.5));
     };
     return rayleigh * m.rayleigh +
-           mul({mie(aerosol_g_.x), mie(aerosol_g_.y), mie(aerosol_g_.z)}, m.aerosol);
+           product({mie(aerosol_g_.x), mie(aerosol_g_.y), mie(aerosol_g_.z)}, m.aerosol);
 }
 
 // All orders beyond the first at an altitude (Hillaire 2020, section 5.5).
@@ -219,20 +220,22 @@ Atmosphere::Marched Atmosphere::march(Vec3 from, Vec3 direction, int steps,
         const Medium m = medium(p);
         const Vec3 sun = pi * sunlight(p);
         Vec3 scattered =
-            mul(all_orders ? phase(m, cosine) : (0.25 / pi) * m.scattering(), sun);
-        if (all_orders) scattered = scattered + mul(m.scattering(), further_light(p));
+            product(all_orders ? phase(m, cosine) : (0.25 / pi) * m.scattering(), sun);
+        if (all_orders) scattered = scattered + product(m.scattering(), further_light(p));
         // The integral is exact along a step of constant medium.
         const Vec3 passed = exp_of(-(t1 - t0) * m.extinction);
         const Vec3 gained = share(grey(1.0) - passed, m.extinction);
-        result.light = result.light + mul(through, mul(scattered, gained));
-        result.feeding = result.feeding + mul(through, mul(m.scattering(), gained));
-        through = mul(through, passed);
+        result.light = result.light + product(through, product(scattered, gained));
+        result.feeding =
+            result.feeding + product(through, product(m.scattering(), gained));
+        through = product(through, passed);
     }
     result.passed = through;
     if (exit.ground) {
         const Vec3 p = from + exit.distance * direction;
         const double facing = std::max(0.0, dot(normalized(p), sun_));
-        result.light = result.light + mul(through, ground_albedo_ * facing * sunlight(p));
+        result.light =
+            result.light + product(through, ground_albedo_ * facing * sunlight(p));
     }
     return result;
 }

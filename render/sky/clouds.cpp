@@ -24,7 +24,7 @@ constexpr double kHeapBase = 1800.0, kHeapHeight = 1300.0, kHeapExtinction = 0.0
 constexpr double kIceBase = 8000.0, kIceDepth = 0.5;
 constexpr double kShade = 0.15;  // share of the extinction that takes light from the land
 constexpr double kForward = 0.8;  // asymmetry of Henyey and Greenstein's phase function
-constexpr double kLowestCasting =
+constexpr double kLowestShading =
     radians(3.0);  // the lowest sun that casts shadows of clouds
 
 double henyey_greenstein(double cosine, double g) {
@@ -187,7 +187,7 @@ CloudLayer::Seen CloudLayer::seen(Vec3 direction, Vec3 sunlight, Vec3 skylight) 
 
 bool throw_shadows(const SkyOptions& sky, const Sun& sun, bool holds_image) {
     return sky.air && sky.clouds == Clouds::kBroken &&
-           sky.cloud_shadows.value_or(!holds_image) && sun.elevation >= kLowestCasting;
+           sky.cloud_shadows.value_or(!holds_image) && sun.elevation >= kLowestShading;
 }
 
 }  // namespace cydonia::render

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKoschmieder = 3.912;  // -log 0.02
 constexpr double kLand = 2000.0;        // metres above the sea
-constexpr double kFarOut = 1e9;         // metres
+constexpr double kToTheSky = 1e9;       // metres
 // The least share of the sky that is recovered; below it half floats would show steps.
 constexpr double kLeastThrough = 0.03;
 constexpr int kFineRows = 1024;  // haze changes within a tenth of a degree there
@@ -45,7 +45,7 @@ Field<Rgb> behind_haze(const Field<Rgb>& dome, const Rgb& light, double visibili
         const double elevation = std::numbers::pi * (0.5 - (y + 0.5) / height);
         const double up = std::sin(std::max(elevation, 0.0));
         const double through =
-            std::max(through_haze(visibility, eye, up, kFarOut), kLeastThrough);
+            std::max(through_haze(visibility, eye, up, kToTheSky), kLeastThrough);
         const double v = std::clamp((y + 0.5) / finer - 0.5, 0.0, dome.height() - 1.0);
         const int j = std::min(static_cast<int>(v), dome.height() - 2);
         for (int x = 0; x < width; ++x) {

@@ -59,7 +59,7 @@ class Sky {
         clear_ = mean_of_clear();
         if (options.clouds == Clouds::kOvercast) {
             const Vec3 above =
-                clear_ + std::max(sine_, 0.0) * mul(light_, faded(air_.sun_colour()));
+                clear_ + std::max(sine_, 0.0) * product(light_, faded(air_.sun_colour()));
             // Thick cloud mixes sun and sky to a uniform grey.
             overcast_ = kThroughOvercast * luminance(above) *
                         (night() ? kMoonlight : kOvercastColour);
@@ -70,7 +70,7 @@ class Sky {
     bool overcast() const { return options_.air && options_.clouds == Clouds::kOvercast; }
     Vec3 sun() const {
         if (!options_.air) return sine_ > 0.0 ? light_ : Vec3{};
-        return overcast() ? Vec3{} : mul(light_, faded(air_.sun_colour()));
+        return overcast() ? Vec3{} : product(light_, faded(air_.sun_colour()));
     }
     // Cosine-weighted mean radiance over level ground.
     Vec3 mean() const {
@@ -101,7 +101,7 @@ class Sky {
         return kNightSaturation * light +
                (1.0 - kNightSaturation) * Vec3{grey, grey, grey};
     }
-    Vec3 seen(Vec3 light) const { return mul(light_, faded(light)) + glow_; }
+    Vec3 seen(Vec3 light) const { return product(light_, faded(light)) + glow_; }
 
     Vec3 mean_of_clear() const {
         constexpr int kSpokes = 48, kRings = 24;
@@ -171,9 +171,10 @@ void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& cle
             const int i = static_cast<int>(u) % clear.width(),
                       next = (i + 1) % clear.width();
             const double f = u - std::floor(u), g = v - j;
-            const Vec3 behind =
-                (1.0 - g) * ((1.0 - f) * vec(clear(i, j)) + f * vec(clear(next, j))) +
-                g * ((1.0 - f) * vec(clear(i, j + 1)) + f * vec(clear(next, j + 1)));
+            const Vec3 behind = (1.0 - g) * ((1.0 - f) * vec3_of(clear(i, j)) +
+                                             f * vec3_of(clear(next, j))) +
+                                g * ((1.0 - f) * vec3_of(clear(i, j + 1)) +
+                                     f * vec3_of(clear(next, j + 1)));
             const Vec3 toward = direction_of(x, y, dome.width(), height);
             const auto cloud = clouds.seen(toward, sunlight, skylight);
             const double near = std::exp(-0.035 / std::max(toward.z, 1e-3));

@@ -23,14 +23,14 @@ SampleGrid window_at(const std::array<double, 2>& position, const Terrain& model
             cell};
 }
 
-// Metre for metre around the position.
+// A window as large as the terrain, around the position.
 SampleGrid true_to_scale(const Options& options, const Terrain& model,
                          const Terrain& terrain) {
     const SampleGrid window =
         window_at(options.position, model, terrain, terrain.spacing / model.spacing);
     const double east = window.west + window.cell * terrain.heights.width();
     const double south = window.north + window.cell * terrain.heights.height();
-    // Half a cell beyond, the outermost heights are still the nearest.
+    // Up to half a cell outside the model its outermost heights are still the nearest.
     constexpr double kBeyond = 0.5 + 1e-6;
     if (std::min(window.west, window.north) >= -kBeyond &&
         east <= model.heights.width() + kBeyond &&
@@ -55,7 +55,7 @@ SampleGrid true_to_scale(const Options& options, const Terrain& model,
         1.0 - 0.5 * terrain.depth() / model.depth());
 }
 
-// The largest, moved as near to the position as the model allows.
+// The largest window, moved as near to the position as the model allows.
 SampleGrid largest(const Options& options, const Terrain& model, const Terrain& terrain) {
     const double cell =
         std::min(double(model.heights.width()) / terrain.heights.width(),

@@ -13,8 +13,9 @@
 namespace cydonia::detail {
 namespace {
 
-// Adds `factor` times one field, weighted, to the other. Weights are of the coarse cells
-// that values lie in, of which there are `scale` from west to east; empty: 1.
+// Adds `factor` times one field, weighted, to the other. A weight belongs to the coarse
+// cell in which values lie, `scale` of them from west to east; without weights they are
+// 1.
 void add(const Field<float>& from, const Field<float>& weight, float factor, int scale,
          Field<float>& to) {
     parallel_for(to.height(), 16, [&](int y) {
@@ -40,19 +41,19 @@ Field<float> product(Field<float> a, const Field<float>& b) {
     return a;
 }
 
-// The examples that a layer may take from; they are in the order of their targets.
+// The examples that a layer may use. Examples are in the order of their targets.
 std::span<const Example> of_target(std::span<const Example> all, int target) {
     if (target < 0) return all;
     const auto range = std::ranges::equal_range(all, target, {}, &Example::target);
     return {range.begin(), range.end()};
 }
 
-// A block's side in cells of a level's coarse land.
+// The side of a block in cells of a level's coarse land.
 int cells_of(double side, int level) {
     return int(std::lround(std::ldexp(side, -level - 1)));
 }
 
-// One layer, from level to level.
+// One layer while it goes from level to level.
 class Quilt {
   public:
     Quilt(const Layer& layer, std::span<const Example> examples, const Options& options,
@@ -74,7 +75,8 @@ class Quilt {
             examples_, [&](const Example& e) { return e.level(level) != nullptr; });
     }
 
-    // Of a land so large whose cells are 2^`halvings` samples; empty: 1 everywhere.
+    // The layer's share on a land so large, whose cells are 2^`halvings` samples wide;
+    // empty: 1 everywhere.
     Field<float> share(int halvings, const Field<float>& land) const {
         if (layer_.share.empty()) return {};
         Field<float> result = sampled(layer_.share, {0.0, 0.0, std::ldexp(1.0, halvings)},
@@ -83,8 +85,8 @@ class Quilt {
         return result;
     }
 
-    // Adds its details of a level to the land's. `rough`: of the coarsest land, if asked
-    // for.
+    // Adds the layer's details of a level to the land's. `rough` is the roughness of the
+    // coarsest land, if details adapt to it.
     void add_to(Details& details, const Field<float>& coarse, const Field<float>& share,
                 int level, const Field<float>& rough) {
         match(coarse, share, level);
@@ -110,7 +112,7 @@ class Quilt {
     }
 
   private:
-    // Where a level's coarse land lies in the whole level's.
+    // Where a level's coarse land lies in that of the whole land.
     Window window(int level, const Field<float>& coarse) const {
         if (finest_.width == 0) return {0, 0, coarse.width(), coarse.height()};
         Window window{finest_.x >> (level + 1), finest_.y >> (level + 1), finest_.width,
@@ -154,8 +156,8 @@ class Quilt {
     double side_;
     std::uint64_t seed_;
     Blocks blocks_;
-    std::vector<Match> matches_;           // of the level before
-    std::vector<Field<float>> roughness_;  // of the examples' coarsest land
+    std::vector<Match> matches_;           // on the level before
+    std::vector<Field<float>> roughness_;  // of the coarsest land of each example
 };
 
 std::vector<Example> prepared(const Options& options, double spacing,
@@ -167,8 +169,8 @@ std::vector<Example> prepared(const Options& options, double spacing,
     return examples;
 }
 
-// A part of a land of `extent`, from column x and row y on, with other details. What ends
-// inside the land is mirrored there, and wrong as far as reach().
+// A part of a land of `extent`, from column x and row y on, with new details. Where the
+// part ends inside the land it is mirrored, so that a border as wide as reach() is wrong.
 Field<float> made(const Field<float>& part, int x, int y, const Extent& extent,
                   std::span<const Example> examples, std::span<const Layer> layers,
                   const Options& options, const Context& context) {
@@ -229,7 +231,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     const auto layers = layers_of(options, examples, extent.columns, extent.rows);
     const Field<float> detailed =
         made(heights, 0, 0, extent, examples, layers, options, context);
-    // Where edges are soft, details reach a little further than their share.
+    // At soft edges details reach slightly farther than the layer's share.
     const auto share = [&](int x, int y) {
         float sum = 0.0f;
         for (const Layer& layer : layers)
@@ -252,7 +254,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
 }
 
 int reach(const Options& options, const Extent& extent) {
-    // Filters' ends, and around which the land's roughness counts.
+    // The ends of filters and the radius of the land's roughness.
     int samples = 24 << options.levels;
     const double side = block_side(options, extent.columns, extent.rows);
     for (int level = 0; level < options.levels; ++level) {
@@ -267,7 +269,8 @@ Field<float> tile(const Options& options, const Extent& extent, const Heights& b
                   const Context& context, int x, int y, int width, int height) {
     const int around = reach(options, extent);
     const auto begin = [&](int at) {
-        // Of all levels and the one above them, which tells how rough the land is.
+        // A multiple for all levels and the one above them, which measures the land's
+        // roughness.
         const int grain = options.levels + 1;
         return std::max(0, at - around) >> grain << grain;
     };

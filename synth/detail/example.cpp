@@ -12,8 +12,8 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr double kMostCells = 1 << 28;  // of a target, resampled
-// A target this much coarser than a level still counts as being of it.
+constexpr double kMostCells = 1 << 28;  // of a resampled target
+// A target that is coarser than a level by at most this factor still belongs to it.
 constexpr double kNearEnough = 1.25;
 
 struct Model {
@@ -34,7 +34,7 @@ Model model_of(const Target& target, Progress& progress) {
     return model;
 }
 
-// On cells of another size, as many as fit.
+// The target resampled to cells of another size, as many as fit.
 Model resampled(const Model& model, double spacing, const std::string& name) {
     const double cell = spacing / model.spacing;
     const double across = std::floor(model.heights.width() / cell + 1e-6),
@@ -56,7 +56,7 @@ Model resampled(const Model& model, double spacing, const std::string& name) {
     return result;
 }
 
-// The finest of the land's levels that a target has details for.
+// The finest of the land's levels for which a target has details.
 int first_level(double target_spacing, double spacing, int levels,
                 const std::string& name) {
     int first = 0;
@@ -70,7 +70,7 @@ int first_level(double target_spacing, double spacing, int levels,
     return first;
 }
 
-// The longest line, not longer than `length`, that so many levels divide.
+// The longest line of at most `length` values that can be halved so many times.
 int cut_to(Filter filter, int length, int levels) {
     while (length > 0 && divisible(filter, length, levels) != length) --length;
     return length;

@@ -7,33 +7,34 @@
 
 namespace cydonia::detail {
 
-// A target at the land's spacing, taken apart.
+// A target at the land's spacing, decomposed into levels of detail.
 struct Example {
     int target = 0;             // its place in Options::targets
-    int first = 0;              // the finest of the land's levels that it has details for
-    std::vector<Level> levels;  // from there on, the finest first
-    // Of each level's coarse cells 1 where heights are not known; may be empty.
+    int first = 0;              // finest of the land's levels for which it has details
+    std::vector<Level> levels;  // from `first` on, the finest first
+    // For each level 1 at coarse cells whose height is not known; may be empty.
     std::vector<Field<std::uint8_t>> unknown;
 
-    // Null where it has no details for a level of the land.
+    // Details for a level of the land, or null.
     const Level* level(int of_land) const {
         const auto index = static_cast<std::size_t>(of_land - first);
         return of_land < first || index >= levels.size() ? nullptr : &levels[index];
     }
 };
 
-// All targets, each resampled to `spacing` metres or, where its own cells are larger, to
-// the land's level that is nearest to them; in every orientation asked for. Says what was
-// resampled. Throws bad_request: a target too coarse or too small for any detail.
+// All targets, in every requested orientation. Each is resampled to `spacing` metres or,
+// if its own cells are larger, to the spacing of the nearest of the land's levels. Says
+// what was resampled. Throws bad_request for a target too coarse or too small for any
+// detail.
 std::vector<Example> examples_of(const Options& options, double spacing,
                                  Progress& progress);
 
-// Land taken apart. Voids: 1 where heights are not known; may be empty. What is over the
-// size that the filter divides is cut.
+// The decomposition of a land. `voids` is 1 where heights are not known; may be empty.
+// The land is cropped to a size that the filter can halve.
 Example example_of(const Field<float>& heights, const Field<std::uint8_t>& voids,
                    Filter filter, int levels);
 
-// The land turned by quarter turns and then, from 4 on, mirrored.
+// The land after (orientation % 4) quarter turns, and mirrored from 4 on.
 template <class T>
 Field<T> oriented(const Field<T>& land, int orientation) {
     const int turns = orientation % 4;

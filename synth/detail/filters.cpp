@@ -18,10 +18,10 @@ int finer(Filter filter, int coarse) {
     return 0;
 }
 
-// The fewest values that the filters of a line's two ends leave apart.
+// The shortest line on which the filters of its two ends do not overlap.
 int fewest(Filter filter) { return filter == Filter::kChaikin ? 4 : 2; }
 
-// Weights of one value that come twice are added up.
+// Weights of the same value are added up.
 void add(Stencil& stencil, int index, float weight) {
     for (int i = 0; i < stencil.count; ++i)
         if (stencil.taps[std::size_t(i)].index == index) {
@@ -36,8 +36,8 @@ Stencil stencil(std::initializer_list<Stencil::Tap> taps) {
     return result;
 }
 
-// Quadratic B-splines whose ends are interpolated (docs/papers.md, Brosz 1). Inner rows are the
-// published ones; the outer ones follow from A P = 1, B P = 0 and P A + Q B = 1.
+// Quadratic B-splines whose ends are interpolated (docs/papers.md, Brosz 2007, 1). Inner
+// rows are as published; the outer ones follow from A P = 1, B P = 0 and P A + Q B = 1.
 FilterBank chaikin(int n) {
     const int fine = 2 * n - 2, last = fine - 1;
     FilterBank bank{fine, n, n - 2, {}, {}, {}};
@@ -99,7 +99,7 @@ FilterBank haar(int n) {
     return bank;
 }
 
-// Linear interpolation: every second value is kept.
+// Linear interpolation; every second value is kept.
 FilterBank faber(int n) {
     FilterBank bank{2 * n - 1, n, n - 1, {}, {}, {}};
     for (int i = 0; i < n; ++i) {
@@ -113,7 +113,7 @@ FilterBank faber(int n) {
     return bank;
 }
 
-// Times a stencil's weights, added to another.
+// Adds one stencil, times a factor, to another.
 void add(Stencil& stencil, const Stencil& other, float weight) {
     for (int k = 0; k < other.count; ++k)
         add(stencil, other.taps[std::size_t(k)].index,
@@ -121,9 +121,9 @@ void add(Stencil& stencil, const Stencil& other, float weight) {
 }
 
 // Cubic B-splines, mirrored at the ends, by lifting (Bertram, Duchaineau, Hamann and Joy
-// 2004): even values become coarse ones, what the odd ones are beside those are details,
-// and those smooth the coarse ones. Inside these are the local least-squares filters of
-// Samavati and Bartels.
+// 2004). Even values become coarse ones, the difference of odd ones from these are
+// details, and details then smooth the coarse values. Away from the ends these are the
+// local least-squares filters of Samavati and Bartels.
 FilterBank cubic(int n) {
     constexpr float kSmoothing = 23.0f / 49.0f;
     const int fine = 2 * n - 1;

@@ -17,19 +17,19 @@ struct Stencil {
     int count = 0;
 };
 
-// One level of a line's multiresolution analysis (Samavati and Bartels 1999): `fine`
-// values are `coarse` ones and `details`, exactly.
+// One level of the multiresolution analysis of a line (Samavati and Bartels 1999). It is
+// exact: `fine` values correspond to `coarse` ones and `details`.
 struct FilterBank {
     int fine = 0, coarse = 0, details = 0;
-    std::vector<Stencil> a, b;  // coarse values and details, of fine ones (A, B)
-    // Fine values (P, Q), of coarse ones, which come first, and details.
+    std::vector<Stencil> a, b;  // coarse values and details from fine values (A, B)
+    // Fine values from coarse ones, which come first, and details (P, Q).
     std::vector<Stencil> pq;
 };
 FilterBank filter_bank(Filter filter, int coarse);
 
-// The shortest line of at least `length` values that `levels` levels divide.
+// The shortest line of at least `length` values that can be halved `levels` times.
 int divisible(Filter filter, int length, int levels);
-// Of a line so long: of the next coarser level.
+// The length of a line on the next coarser level.
 int coarser(Filter filter, int length);
 
 }  // namespace cydonia::detail

@@ -9,10 +9,10 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr int kAround = 4;  // cells each way over which a scale is estimated
+constexpr int kAround = 4;  // radius over which a scale is estimated, cells
 
-// Of mean 0 and variance 1: the sum of four uniform numbers, which no machine rounds
-// otherwise.
+// A number with mean 0 and variance 1: a sum of four uniform numbers, which has the same
+// rounding on every machine.
 float nearly_normal(std::uint64_t h) {
     constexpr float kMean = 2.0f * 65535.0f, kDeviation = 37837.0f;  // 65536 / sqrt 3
     float sum = 0.0f;
@@ -35,7 +35,7 @@ void change_by_noise(Field<float>& field, int from_x, int from_y, std::uint64_t 
 
 Field<float> strength_of(const Field<float>& values, int around) {
     const int w = values.width(), h = values.height();
-    // Summed anew for each, so that a part has what the whole has, to the bit.
+    // Summed separately for each value, so that a part equals the whole to the bit.
     const auto mean = [&](int at, int count, auto&& value) {
         const int from = std::max(0, at - around), to = std::min(count - 1, at + around);
         float sum = 0.0f;
@@ -76,7 +76,7 @@ double fractal_scale(std::span<const Example> examples, Filter filter, int level
     for (const Example& example : examples) {
         const Level* coarsest = example.level(levels - 1);
         if (!coarsest) continue;
-        // What details alone give.
+        // The land that the details alone give.
         const Field<float> residuals =
             subdivided(Field<float>(coarsest->coarse.width(), coarsest->coarse.height()),
                        coarsest->details, filter);

@@ -15,7 +15,7 @@ cv::Mat matrix_of(Field<float>& field) {
     return {field.height(), field.width(), CV_32F, field.row(0).data()};
 }
 
-// Edges become ramps of about `width` samples.
+// Turns edges into ramps of about `width` samples.
 void soften(Field<float>& share, double width) {
     const int side = 2 * int(width / 4.0) + 1;
     cv::Mat image = matrix_of(share);
@@ -23,7 +23,7 @@ void soften(Field<float>& share, double width) {
         cv::blur(image, image, {side, side}, {-1, -1}, cv::BORDER_REPLICATE);
 }
 
-// Corners of a mapping in the land, in samples, y south.
+// The corners of a mapping in the land, in samples from the north-west.
 std::vector<std::array<double, 2>> outline_of(const Mapping& m, int width, int height) {
     std::vector<std::array<double, 2>> corners = m.outline;
     if (corners.empty()) {
@@ -49,12 +49,12 @@ Box box_of(const std::vector<std::array<double, 2>>& corners) {
     return box;
 }
 
-// Refuses one that the target does not hold; half a cell of rounding is forgiven.
+// Refuses a mapping that leaves its target by more than half a cell of rounding.
 Layer layer_of(const Options& options, std::size_t number,
                std::span<const Example> examples, int width, int height) {
     const Mapping& m = options.mappings[number];
     const auto example = std::ranges::find(examples, m.target - 1, &Example::target);
-    // Samples of the land that the target has.
+    // The target's size in samples of the land.
     const Field<float>& finest = example->levels[0].details.columns;
     const double across = std::ldexp(finest.width(), example->first),
                  down =
@@ -78,7 +78,7 @@ Layer layer_of(const Options& options, std::size_t number,
             number + 1, box.east - box.west, box.south - box.north, m.from[0], m.from[1],
             options.targets[std::size_t(m.target - 1)].source.name(), across, down);
 
-    constexpr int kParts = 16;  // of a sample, for corners between
+    constexpr int kParts = 16;  // subpixels of a sample
     std::vector<cv::Point> polygon;
     for (const auto& [x, y] : corners)
         polygon.emplace_back(int(std::lround((x - 0.5) * kParts)),

@@ -13,14 +13,14 @@
 namespace cydonia::detail {
 namespace {
 
-// Cells of an example's border that no block touches: its details there come of filters
-// for ends.
+// The border of an example that no block touches, in cells, because details there come
+// from filters for ends.
 constexpr int kMargin = 2;
 constexpr int kLeastSide = 4;  // cells
-// What of its cost a match counts that goes on with the next coarser level's: landforms
-// are more than one level's details.
+// The factor of the cost of a match that continues the next coarser level's match, as a
+// landform has details on more than one level.
 constexpr float kCoherent = 0.5f;
-constexpr int kMostTries = 8;  // for every candidate, where many lie in unknown land
+constexpr int kMostTries = 8;  // for each candidate, as some lie in unknown land
 constexpr int kRounds = 4;     // of PatchMatch
 
 struct Rect {
@@ -34,7 +34,7 @@ Rect rect_of(const Blocks& blocks, int block) {
             std::min(blocks.side(), blocks.height - y)};
 }
 
-// Where in an example a block may lie: origins kMargin .. kMargin + across - 1.
+// The positions of a block in an example: origins kMargin .. kMargin + across - 1.
 struct Room {
     int across = 0, down = 0;
     bool any() const { return across > 0 && down > 0; }
@@ -49,7 +49,7 @@ struct Candidate {
     float cost = std::numeric_limits<float>::infinity();
 };
 
-// Searches the examples that have details for one level.
+// Searches those examples that have details for one level.
 class Finder {
   public:
     Finder(const Field<float>& land, const Window& window,
@@ -62,7 +62,7 @@ class Finder {
                               r.y + r.height - 1 - window_.y);
     }
 
-    // Of nothing but the block, the best of some at random, of all, or of `first`.
+    // The best match of a block by itself: of some at random, of all, or of `first`.
     Candidate best(const Rect& r, int block, std::span<const Match> first) const {
         Candidate best;
         for (const Match& match : first) consider(r, match, best);
@@ -74,14 +74,15 @@ class Finder {
         return best;
     }
 
-    // What beats the best so far is the best. Whether it can be taken at all.
+    // Makes a candidate the best match if it is better. Returns whether it can be used at
+    // all.
     bool consider(const Rect& r, const Match& match, Candidate& best) const {
         const float cost = unlike(r, match);
         if (cost < best.cost) best = {match, cost};
         return std::isfinite(cost);
     }
 
-    // At distances that halve, around a match.
+    // Tries random positions around a match, at distances that halve.
     void around(const Rect& r, int block, int round, Candidate& best) const {
         if (best.match.example < 0) return;
         const Field<float>& coarse = coarse_of(best.match.example)->coarse;
@@ -114,8 +115,8 @@ class Finder {
         return examples_[std::size_t(example)].level(searching_.level);
     }
 
-    // Mean squared difference, less that of the means; infinite where it does not fit or
-    // heights are not known.
+    // The mean squared difference without the difference of the means; infinite where the
+    // block does not fit or heights are not known.
     float unlike(const Rect& r, const Match& match) const {
         constexpr float kNever = std::numeric_limits<float>::infinity();
         if (match.example < 0) return kNever;
@@ -134,8 +135,8 @@ class Finder {
                 for (int x = 0; x < r.width; ++x)
                     if (unknown(x0 + x, y0 + y)) return kNever;
         }
-        // Lanes of their own, so that the compiler may use vectors and all machines
-        // still add in one order.
+        // Separate lanes, so that the compiler may use vectors and all machines still add
+        // in the same order.
         constexpr int kLanes = 8;
         std::array<float, kLanes> sum{}, squares{};
         const float offset = row_of(r, 0)[0] - level->coarse(x0, y0);
@@ -187,7 +188,8 @@ class Finder {
         }
     }
 
-    // |a - b|^2 = |a|^2 + |b|^2 - 2 a.b, the products all at once by Fourier transforms.
+    // |a - b|^2 = |a|^2 + |b|^2 - 2 a.b, where Fourier transforms give all products at
+    // once.
     void every(const Rect& r, Candidate& best) const {
         cv::Mat block(r.height, r.width, CV_32F);
         double mean = 0.0;
@@ -207,7 +209,8 @@ class Finder {
             cv::matchTemplate(land, block, products, cv::TM_CCOEFF);
             cv::integral(land, sums, squares, CV_64F, CV_64F);
             const double cells = double(r.width) * r.height;
-            std::array<Candidate, 4> least;  // estimates, which rounding may swap
+            std::array<Candidate, 4>
+                least;  // of the estimates, as rounding may swap the first
             for (int y = kMargin; y < kMargin + room.down; ++y)
                 for (int x = kMargin; x < kMargin + room.across; ++x) {
                     const auto within = [&](const cv::Mat& m) {
@@ -240,8 +243,9 @@ class Finder {
     const Searching& searching_;
 };
 
-// PatchMatch (Barnes et al. 2009) among blocks: what suits a neighbour may suit one too.
-// All are improved at once from what they had the round before, so in any order.
+// PatchMatch (Barnes et al. 2009) among blocks: a neighbour's match, shifted, may suit a
+// block, too. All blocks are improved at once from the matches of the round before, so
+// that their order does not matter.
 void improved(const Finder& finder, const Blocks& blocks, std::vector<Candidate>& all,
               const std::function<bool(int)>& wanted) {
     const int across = blocks.across(), down = blocks.down();
@@ -294,7 +298,7 @@ std::vector<Match> matched(const Field<float>& land, const Window& window,
         const Rect r = rect_of(blocks, block);
         std::vector<Match> first;
         if (!before.empty()) {
-            // The same place one level coarser.
+            // The same position on the next coarser level.
             Match match = before[std::size_t(
                 blocks_before.at((r.x + r.width / 2) / 2, (r.y + r.height / 2) / 2))];
             match.dx *= 2, match.dy *= 2;

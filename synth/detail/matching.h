@@ -10,16 +10,16 @@
 
 namespace cydonia::detail {
 
-// A level's whole coarse land in blocks: in rows, each `step` cells from the one before
-// it and `overlap` wider, so that so many cells are both's.
+// The division of a level's whole coarse land into blocks, in rows. Each begins `step`
+// cells after the one before it and shares `overlap` cells with the next.
 struct Blocks {
-    int width = 0, height = 0;  // of the land, cells
+    int width = 0, height = 0;  // the land's level, cells
     int step = 1, overlap = 0;
 
     int side() const { return step + overlap; }
     int across() const { return count(width); }
     int down() const { return count(height); }
-    // The one that a cell lies in, among them row by row; the first of two.
+    // The block that contains a cell, counted row by row; the first if there are two.
     int at(int x, int y) const {
         return std::min(y / step, down() - 1) * across() +
                std::min(x / step, across() - 1);
@@ -31,17 +31,18 @@ struct Blocks {
     }
 };
 
-// Blocks of so many cells a side, a quarter of it shared with each neighbour.
+// Blocks of `side` cells a side that share a quarter of it with each neighbour.
 Blocks blocks_of(int width, int height, int side);
 
-// What a block's details are taken from: from the land's coarse cell to the example's.
+// Where a block's details are taken from: the shift from the land's coarse cells to the
+// example's.
 struct Match {
-    int example = -1;  // none
+    int example = -1;  // -1: none
     int dx = 0, dy = 0;
     bool operator==(const Match&) const = default;
 };
 
-// Where a level's blocks find theirs.
+// How the matches of a level's blocks are searched for.
 struct Searching {
     Search search;
     int candidates;
@@ -49,12 +50,12 @@ struct Searching {
     std::uint64_t seed;
 };
 
-// For each block of the whole that lies in `land`, a window of it, row by row, the part
-// of an example whose coarse land is most like the block's, up to the height of both: the
-// least sum of squared differences after their means are taken away (Brosz 2007,
-// section 5.2). `before`: the blocks' matches one level coarser, tried too; may be empty.
-// Other blocks, and those that are not `wanted`, have no match. Throws bad_request: no
-// example is large enough for a block.
+// The matches of all blocks, row by row. `land` is a window of the whole. The match of a
+// block in it is the part of an example whose coarse land is most similar regardless of
+// its mean height: the one with the least sum of squared differences after the means are
+// subtracted (Brosz 2007, section 5.2). `before` are the matches one level coarser, which
+// are tried, too; may be empty. Blocks outside `land` and those that are not `wanted`
+// have no match. Throws bad_request if no example is large enough for a block.
 std::vector<Match> matched(const Field<float>& land, const Window& window,
                            const Blocks& blocks, std::span<const Example> examples,
                            const Searching& searching, const Blocks& blocks_before,

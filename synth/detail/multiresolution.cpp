@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kGrain = 16;  // rows
 
-// Rows of the result are sums of rows of two fields, the second's after the first's.
+// Each row of the result is a weighted sum of rows of two fields, those of the second
+// field after those of the first.
 void along_columns(const std::vector<Stencil>& stencils, const Field<float>& first,
                    const Field<float>& second, Field<float>& result) {
     const int split = first.height(), width = result.width();
@@ -29,7 +30,7 @@ void along_columns(const std::vector<Stencil>& stencils, const Field<float>& fir
     });
 }
 
-// The same along rows: each row is laid out whole, then summed value by value.
+// The same along rows: each row is first copied to one line, then summed value by value.
 void along_rows(const std::vector<Stencil>& stencils, const Field<float>& first,
                 const Field<float>& second, Field<float>& result) {
     parallel_for(result.height(), kGrain, [&](int y) {

@@ -9,18 +9,18 @@
 namespace cydonia::detail {
 namespace {
 
-// A run of values along one axis that lie in one block, or in it and the next.
+// A run of values along one axis that lie in the same one or two blocks.
 struct Run {
     int begin, end, block;
-    bool fades = false;  // into the next one
-    // How far at a value, 0 to 1.
+    bool fades = false;  // into the next block
+    // How far it has faded at a value, 0 to 1.
     float at(int value) const {
         return (float(value - begin) + 0.5f) / float(end - begin);
     }
 };
 
-// The runs of an axis, from value `from` to `to`, whose details have `scale` values a
-// coarse cell.
+// The runs of an axis from value `from` to `to`, where details have `scale` values for
+// each coarse cell.
 std::vector<Run> runs_of(int blocks, int step, int overlap, int scale, int from, int to) {
     std::vector<Run> runs;
     for (int b = 0; b < blocks; ++b) {
@@ -38,16 +38,17 @@ std::vector<Run> runs_of(int blocks, int step, int overlap, int scale, int from,
     return runs;
 }
 
-// A part of an example under a run of a row, and how much of it is taken: `weight` at the
-// run's begin, `change` more at its end.
+// A part of an example under a run of a row, and its weight: `weight` at the begin of the
+// run and `change` more at its end.
 struct Land {
     Match match;
     float weight, change;
-    const float* row = nullptr;  // null where the example has nothing
+    const float* row = nullptr;  // null where the example has no details
     int shift = 0, begin = 0, end = 0;
 };
 
-// One row under one run: up to four blocks' land. What has the same match counts as one.
+// The land of up to four blocks in one row of a run. Blocks with the same match count as
+// one.
 class Pile {
   public:
     void add(const Match& match, float weight, float change) {
@@ -82,8 +83,8 @@ void sum_up(std::span<Land> lands, const Run& run, Fading fading, int from,
     }
 }
 
-// `of` is what is taken of an example: its details of columns or of rows, which have
-// `scale` values a coarse cell from west to east, and one from north to south.
+// `of` gives the details of an example, of columns or of rows. They have `scale` values
+// for each coarse cell from west to east and one from north to south.
 template <class Of>
 void blend(const Window& window, const Blocks& blocks, std::span<const Match> matches,
            const Of& of, int scale, Fading fading, Field<float>& out) {

@@ -9,9 +9,9 @@
 namespace cydonia::detail {
 namespace {
 
-constexpr int kAround = 5;       // cells each way
-constexpr float kMost = 1.7f;    // times stronger
-constexpr float kLevel = 1e-3f;  // metres: of level land nothing is known
+constexpr int kAround = 5;       // radius, cells
+constexpr float kMost = 1.7f;    // largest gain
+constexpr float kLevel = 1e-3f;  // metres: least roughness that an example counts with
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Field<float> gain_of(int width, int height, const Window& window, const Blocks& 
     const int cell = 1 << finer;
     for (int y = 0; y < gain.height(); ++y)
         for (int x = 0; x < gain.width(); ++x) {
-            // A cell's middle among the blocks' cells.
+            // The centre of a cell among the blocks' cells.
             const int i = std::min(window.x + x * cell + cell / 2, blocks.width - 1),
                       j = std::min(window.y + y * cell + cell / 2, blocks.height - 1);
             const Match& match = matches[std::size_t(blocks.at(i, j))];

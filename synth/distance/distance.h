@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/terrain.h"
-#include "synth/context.h"
 #include "synth/distance/options.h"
+#include "synth/method.h"
 
 namespace cydonia::distance {
 
@@ -13,5 +13,9 @@ namespace cydonia::distance {
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
 inline constexpr int kVersion = 2;  // raised when the same options give other heights
+
+Method method_of(const Options& options);
+std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
+                          std::uint64_t threads);
 
 }  // namespace cydonia::distance

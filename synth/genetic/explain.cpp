@@ -8,7 +8,7 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr int kShortest = 400, kMostScale = 16;  // pixels, and of a cell
+constexpr int kShortest = 400, kMostScale = 16;  // pixels, of a picture and of a cell
 constexpr int kPanelWidth = 240, kPanelHeight = 200, kMargin = 12;
 constexpr Rgb8 kPaper{255, 255, 255}, kFrame{200, 200, 200}, kFittest{20, 20, 20},
     kPopulation{150, 150, 150}, kCompatible{40, 90, 200}, kSimilar{200, 50, 40};
@@ -40,7 +40,7 @@ Field<Rgb8> relief_picture(const Field<float>& heights, double spacing) {
                          down = std::max(1, s - n) * spacing;
             const double east = (heights(e, j) - heights(w, j)) / across,
                          south = (heights(i, s) - heights(i, n)) / down;
-            // From the north-west, 45 degrees high.
+            // The light comes from the north-west, 45 degrees above the horizon.
             const double light = (0.5 * east + 0.5 * south + std::sqrt(0.5)) /
                                  std::sqrt(1.0 + east * east + south * south);
             const auto grey = std::uint8_t(std::clamp(255.0 * light, 0.0, 255.0));

@@ -8,14 +8,15 @@
 
 namespace cydonia::genetic {
 
-// Land under a light from the north-west, its small levels enlarged.
+// A picture of land lit from the north-west. Small levels are enlarged.
 Field<Rgb8> relief_picture(const Field<float>& heights, double spacing);
 
-// Fitness by cycle, a panel a level: of the fittest (black), of the population (grey),
-// its compatibility (blue) and similarity (red), 0 to 1.
+// A plot of fitness over cycles with a panel for each level, from 0 to 1: the fittest
+// (black), the population (grey), and the fittest's compatibility (blue) and similarity
+// (red).
 Field<Rgb8> fitness_picture(const std::vector<LevelDone>& levels);
 
-// A line a level and cycle.
+// A table with a line for each level and cycle.
 std::string fitness_table(const std::vector<LevelDone>& levels);
 
 }  // namespace cydonia::genetic

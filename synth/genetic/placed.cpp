@@ -9,13 +9,13 @@
 
 namespace cydonia::genetic {
 
-Features features_of(const std::vector<texture::Point>& points,
-                     const std::vector<texture::Curve>& curves, const Extent& extent,
-                     Progress& progress) {
+PlacedFeatures features_of(const std::vector<geometry::Point>& points,
+                           const std::vector<geometry::Curve>& curves,
+                           const Extent& extent, Progress& progress) {
     if (points.empty() && curves.empty()) return {};
     texture::Options options;
     options.points = points, options.curves = curves;
-    // The base level's land without them, for heights that are relative to it.
+    // The base level's land without placed features, for heights that are relative to it.
     auto natural = std::make_shared<Field<float>>();
     auto spacing_of = std::make_shared<double>(0.0);
     return [options, extent, natural, spacing_of, &progress](Field<float>& heights,

@@ -8,12 +8,13 @@
 
 namespace cydonia::genetic {
 
-// Placed features (section VII.2) as points and curves of the texture method (Gain 2015,
-// section 5.1): the land of every level is brought to their heights, over their areas on
-// coarse levels and beside them on fine ones. Relative heights are added to the base
-// level's land. Empty without any.
-Features features_of(const std::vector<texture::Point>& points,
-                     const std::vector<texture::Curve>& curves, const Extent& extent,
-                     Progress& progress);
+// A function that applies placed features (section VII.2), which are points and curves of
+// the texture method (Gain 2015, section 5.1). It brings the land of each level to their
+// heights: within their whole areas on coarse levels and close to them on fine ones.
+// Relative heights are added to the base level's land. The function is empty where there
+// are no features.
+PlacedFeatures features_of(const std::vector<geometry::Point>& points,
+                           const std::vector<geometry::Curve>& curves,
+                           const Extent& extent, Progress& progress);
 
 }  // namespace cydonia::genetic

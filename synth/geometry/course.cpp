@@ -4,7 +4,7 @@
 
 #include "field/error.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 constexpr double kMostSteps = 65536.0;
@@ -23,8 +23,8 @@ std::vector<Handle> sorted_handles(const Curve& curve, const std::string& name) 
     return handles;
 }
 
-// The Hermite curve through what `value` gives of the handles that have it; `otherwise`
-// where none has.
+// The Hermite curve through the values that `value` finds in the handles. Where no handle
+// has one, it is `otherwise` everywhere.
 template <class Value>
 Hermite through(const std::vector<Handle>& handles, double length, bool ring,
                 double otherwise, const Value& value) {
@@ -32,7 +32,7 @@ Hermite through(const std::vector<Handle>& handles, double length, bool ring,
     for (const Handle& handle : handles)
         if (const std::optional<double> v = value(handle))
             knots.push_back({handle.at * length, *v});
-    // On a ring the end is the beginning: what is asked first there holds.
+    // On a ring the end is also the beginning; the first handle there decides.
     if (ring && knots.size() > 1 &&
         knots.back().at - knots.front().at > (1.0 - 1e-6) * length)
         knots.pop_back();
@@ -40,7 +40,8 @@ Hermite through(const std::vector<Handle>& handles, double length, bool ring,
     return Hermite(std::move(knots), length, ring);
 }
 
-// The mean over `half` values on both sides of each, beyond the ends the last ones.
+// The mean over each value and `half` values on either side; beyond the ends the
+// outermost value is repeated.
 std::vector<double> averaged(const std::vector<double>& values, int half, bool ring) {
     const int n = static_cast<int>(values.size());
     const auto value = [&](int i) {
@@ -57,8 +58,8 @@ std::vector<double> averaged(const std::vector<double>& values, int half, bool r
     return mean;
 }
 
-// The land's own height along the curve without what is smaller than its area of effect:
-// else every stone would be a step in a road.
+// The land's own height along the curve, without shapes smaller than the curve's area of
+// effect. With them every stone would become a step in a road.
 std::vector<double> natural_along(const Shape& shape, const Ground& ground,
                                   const HeightAt& natural, std::size_t count,
                                   double area) {
@@ -69,7 +70,8 @@ std::vector<double> natural_along(const Shape& shape, const Ground& ground,
         heights[i] = natural(std::clamp(p[0], 0.0, ground.width),
                              std::clamp(p[1], 0.0, ground.depth));
     }
-    // Three boxes are nearly a Gaussian, here with a standard deviation of half the area.
+    // Three box filters are nearly a Gaussian; here its standard deviation is half the
+    // area.
     const double half = std::min(0.5 * area / step, 0.5 * double(count - 1));
     for (int pass = 0; pass < 3; ++pass)
         heights = averaged(heights, static_cast<int>(half), shape.closed);
@@ -153,4 +155,4 @@ bool Course::one_area() const {
     });
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

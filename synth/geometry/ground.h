@@ -2,15 +2,15 @@
 
 #include <functional>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
-// Where the plane lies: metres, from the terrain's south-west corner.
+// The ground under a terrain. Positions on it are metres from its south-west corner.
 struct Ground {
     double width = 0.0, depth = 0.0;  // of the terrain, metres
     double spacing = 1.0;             // of level 0, metres
 };
 
-// Height of the unconstrained land, metres, at metres from the south-west corner.
+// The height of the unconstrained land in metres, at a position on the ground.
 using HeightAt = std::function<double(double x, double y)>;
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
 double secant(const Knot& a, const Knot& b) {
     return (b.value - a.value) / (b.at - a.at);
 }
 
-// The weighted harmonic mean of the slopes on both sides; 0 at tops and bottoms.
+// The weighted harmonic mean of the slopes on both sides of a knot; 0 at a top or a
+// bottom.
 double tangent(const Knot& a, const Knot& b, const Knot& c) {
     const double before = secant(a, b), after = secant(b, c);
     if (before * after <= 0.0) return 0.0;
@@ -18,7 +19,7 @@ double tangent(const Knot& a, const Knot& b, const Knot& c) {
     return (p + q) / (p / before + q / after);
 }
 
-// Two more knots on both sides, for curves that are rings.
+// The knots of a ring, repeated for two turns before and after.
 std::vector<Knot> wrapped(const std::vector<Knot>& knots, double length) {
     std::vector<Knot> all;
     for (int turn = -2; turn <= 2; ++turn)
@@ -54,4 +55,4 @@ double Hermite::operator()(double at) const {
            width * t * s * (tangents_[i - 1] * s - tangents_[i] * t);
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -2,21 +2,22 @@
 
 #include <vector>
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
 struct Knot {
     double at, value;
 };
 
-// Hermite interpolation between knots with the tangents of Fritsch and Butland (1984): it
-// never leaves the heights of the two knots it is between, so a river has no sink and an
-// area of effect is never negative that no handle asked for; Catmull-Rom tangents
-// overshoot. Level before the first knot and after the last, without a bend there; a knot
-// at an end of the whole has nothing beyond it, and the slope of what is beside it.
+// Hermite interpolation between knots with the tangents of Fritsch and Butland (1984).
+// Between two knots it never leaves the range of their values, so a river gets no sink
+// and an area of effect never becomes negative; Catmull-Rom tangents would overshoot. The
+// curve is level before the first knot and after the last, without a bend there. A knot
+// at an end of the whole length has nothing beyond it, and takes the slope of what is
+// beside it.
 class Hermite {
   public:
-    // At least one knot, sorted, all apart, from 0 to `length`. On a ring the last runs
-    // into the first.
+    // `knots` is not empty, sorted, without equal positions, from 0 to `length`. On a
+    // ring the last runs into the first.
     Hermite(std::vector<Knot> knots, double length, bool ring);
 
     double operator()(double at) const;
@@ -26,4 +27,4 @@ class Hermite {
     std::vector<double> tangents_;
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

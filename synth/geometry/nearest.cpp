@@ -1,15 +1,16 @@
 #include "synth/geometry/nearest.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
-// Cells whose centres lie in [low, high], in cells from a part's first centre.
+// The range of cells whose centres lie in [low, high], which are measured in cells from
+// the first centre of a part.
 void range(double low, double high, int count, int& first, int& end) {
     first = static_cast<int>(std::ceil(std::clamp(low, 0.0, double(count))));
     end = static_cast<int>(std::floor(std::clamp(high, -1.0, count - 1.0))) + 1;
 }
 
-// A line with what does not change from cell to cell.
+// A line, with the values that are the same for every cell.
 struct Line {
     Point2 a, d;
     double inverse;  // of its squared length
@@ -52,7 +53,7 @@ double nearest_share(const Point2& a, const Point2& b, const Point2& p) {
 
 void add_nearest(const Shape& shape, const Grid& grid, double reach,
                  Field<Nearest>& field) {
-    // A little more, so that rounding leaves out no cell in reach.
+    // Slightly more than the reach, so that rounding leaves out no cell.
     const double margin = reach + 1e-6 * grid.cell;
     const Box part = grid.box().grown(margin);
     for (int s = 0; s < shape.segments(); ++s) {
@@ -60,7 +61,8 @@ void add_nearest(const Shape& shape, const Grid& grid, double reach,
         if (!Box::of(a, b).touches(part)) continue;
         const Point2 d = from_to(a, b);
         const Line line{a, d, 1.0 / dot(d, d), s};
-        // Long lines in pieces: the box of a slanted one is mostly out of reach.
+        // Long lines are cut into pieces, as most of a slanted line's box is out of
+        // reach.
         const double wanted =
             std::ceil(length(d) / std::max(4.0 * margin, 8.0 * grid.cell));
         const int pieces = static_cast<int>(std::clamp(wanted, 1.0, 65536.0));
@@ -73,4 +75,4 @@ void add_nearest(const Shape& shape, const Grid& grid, double reach,
     }
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

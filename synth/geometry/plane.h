@@ -5,14 +5,14 @@
 
 #include "field/bezier.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 
-// Places and directions on the ground, metres east and north.
+// Positions and directions on the ground, in metres east and north.
 inline Point2 from_to(const Point2& a, const Point2& b) {
     return {b[0] - a[0], b[1] - a[1]};
 }
 inline double dot(const Point2& a, const Point2& b) { return a[0] * b[0] + a[1] * b[1]; }
-// Positive where b is left of a.
+// Positive where b points to the left of a.
 inline double cross(const Point2& a, const Point2& b) {
     return a[0] * b[1] - a[1] * b[0];
 }
@@ -21,7 +21,7 @@ inline double distance(const Point2& a, const Point2& b) { return length(from_to
 inline Point2 between(const Point2& a, const Point2& b, double share) {
     return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
 }
-// A direction of length 1; that of zero length stays.
+// The direction with length 1; a direction of length zero stays as it is.
 inline Point2 unit_of(const Point2& a) {
     const double l = length(a);
     return l > 0.0 ? Point2{a[0] / l, a[1] / l} : a;
@@ -51,4 +51,4 @@ struct Box {
     }
 };
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -5,10 +5,10 @@
 #include "field/error.h"
 #include "field/svg_paths.h"
 
-namespace cydonia::texture {
+namespace cydonia::geometry {
 namespace {
 
-// Of a cell, that straight lines may stray from a curve.
+// How far straight lines may stray from a curve, as a share of a cell.
 constexpr double kTolerance = 0.02;
 constexpr double kFarthest = 1e9;  // metres
 constexpr std::size_t kMostPoints = 200'000;
@@ -16,7 +16,7 @@ constexpr std::size_t kMostPoints = 200'000;
 // The Bezier curve from b to c of a centripetal Catmull-Rom curve through a, b, c, d.
 std::array<Point2, 4> bezier(const Point2& a, const Point2& b, const Point2& c,
                              const Point2& d) {
-    // Roots of the distances are its parameter's steps.
+    // Its parameter advances by the square roots of the distances.
     const double u = std::sqrt(distance(a, b)), v = std::sqrt(distance(b, c)),
                  w = std::sqrt(distance(c, d));
     std::array<Point2, 4> p{b, b, c, c};
@@ -118,7 +118,7 @@ std::vector<Point2> smooth_through(const std::vector<Point2>& given, double tole
     const auto n = static_cast<std::ptrdiff_t>(points.size());
     if (n < 3) return points;
     const bool ring = n > 3 && distance(points.front(), points.back()) < 1e-6;
-    // Beyond an end the curve would go on as it came.
+    // Beyond an end the curve is continued by reflection.
     const auto point = [&](std::ptrdiff_t i) {
         if (i < 0) return ring ? points[n - 2] : between(points[1], points[0], 2.0);
         if (i >= n) return ring ? points[1] : between(points[n - 2], points[n - 1], 2.0);
@@ -137,11 +137,12 @@ std::vector<NamedShape> shapes_of(const Curve& curve, const Ground& ground) {
     for (const Place2& place : curve.points)
         points.push_back({place[0].in(ground.width), place[1].in(ground.depth)});
     if (points.empty()) throw bad_request("curve '{}' has no points", curve.name);
-    // Checks come before what is smooth, which they keep in bounds.
+    // This checks the points before they are smoothed, so that the number of smooth ones
+    // stays bounded.
     shape_through(points, curve.name);
     return {
         {curve.name,
          shape_through(smooth_through(points, kTolerance * ground.spacing), curve.name)}};
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::geometry

@@ -9,20 +9,20 @@
 #include "synth/hydrology/depressions.h"
 #include "synth/hydrology/neighbours.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 namespace {
 
-constexpr double kFall = 0.02;    // of a channel at most, rise over run
-constexpr double kBank = 0.6;     // of its banks at least, where they were gentler
-constexpr double kDeepest = 1.0;  // of a channel, in cells' widths
-// The price of a cell, for its way, in metres of material over its width: flat land is
-// crossed straight.
+constexpr double kFall = 0.02;    // steepest fall of a channel, rise over run
+constexpr double kBank = 0.6;     // steepest bank that digging makes, rise over run
+constexpr double kDeepest = 1.0;  // cut of a channel, in widths of a cell
+// The cost of crossing a cell, in metres of material per metre of its width. It makes
+// channels straight on flat land.
 constexpr double kWay = 0.001;
 
 using Path = std::vector<std::int32_t>;  // from the minimum to lower land
 
-// The cheapest way from a minimum to lower land or over the edge (Dijkstra), within a
-// square around it.
+// Finds the cheapest path from a minimum to lower land or over the land's edge, within a
+// square around the minimum (Dijkstra).
 class Search {
   public:
     Search(const Field<float>& heights, const Field<std::uint8_t>& locked, double spacing,
@@ -41,7 +41,7 @@ class Search {
             std::ranges::pop_heap(open_, std::greater{});
             const auto [cost, cell] = open_.back();
             open_.pop_back();
-            if (cost > node(cell).cost) continue;  // reached cheaper since
+            if (cost > node(cell).cost) continue;  // a cheaper path was found since
             if (heights_[cell] < floor_ || (cell != minimum && at_edge(heights_, cell)))
                 return path_to(cell);
             for_neighbours(
@@ -56,7 +56,7 @@ class Search {
 
   private:
     struct Node {
-        int search = 0;  // the last that reached it
+        int search = 0;  // number of the last search that reached the cell
         double cost = 0.0;
         std::int32_t from = -1;
     };
@@ -112,18 +112,19 @@ class Search {
     int x0_ = 0, y0_ = 0;
 };
 
-// Lowers the land along paths, and beside them where it would stand too steep. Whatever
-// is lowered has a neighbour that is not higher and leads out, so no minimum appears.
+// Lowers the land along paths, and beside them where banks would be too steep. Every
+// lowered cell has a neighbour that is not higher and leads out, so no new minimum
+// appears.
 class Spade {
   public:
     Spade(Field<float>& heights, const Field<std::uint8_t>& locked, double spacing)
         : heights_(heights), before_(heights), locked_(locked), spacing_(spacing) {}
 
-    // False when there was nothing to dig.
+    // False where nothing had to be lowered.
     bool dig(const Path& path) {
         const double top = heights_[path.front()], end = heights_[path.back()];
         const auto steps = static_cast<double>(path.size() - 1);
-        // Over the edge the land falls as gently as it may.
+        // A path over the land's edge falls as gently as the limit allows.
         const double fall =
             end < top ? std::min((top - end) / steps, kFall * spacing_) : kWay * spacing_;
         const std::size_t to_dig = path.size() - (end < top ? 1 : 0);
@@ -162,7 +163,8 @@ class Spade {
     const Field<std::uint8_t>& locked_;
     double spacing_;
     float deepest_ = 0.0f;
-    std::vector<std::int32_t> fresh_;  // lowered, their neighbours not yet looked at
+    std::vector<std::int32_t>
+        fresh_;  // lowered cells whose neighbours are still to be checked
 };
 
 }  // namespace
@@ -173,7 +175,8 @@ Breached breach(Field<float>& heights, double spacing, const Field<std::uint8_t>
     Search search(heights, locked, spacing, radius);
     Spade spade(heights, locked, spacing);
     std::vector<std::int32_t> left = minima_of(heights);
-    // A later channel may run lower than a minimum that had no way out before.
+    // Repeated, because a later channel may run lower than a minimum that had no way out
+    // before.
     for (int before = -1; done.cut != before;) {
         before = done.cut;
         std::erase_if(left, [&](std::int32_t minimum) {
@@ -187,4 +190,4 @@ Breached breach(Field<float>& heights, double spacing, const Field<std::uint8_t>
     return done;
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -9,10 +9,10 @@
 #include "field/parallel.h"
 #include "synth/hydrology/neighbours.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 namespace {
 
-// 1 where no neighbour is lower, inside the land's edge.
+// 1 at cells without a lower neighbour that are not at the land's edge.
 Field<std::uint8_t> without_lower(const Field<float>& heights) {
     const int width = heights.width();
     Field<std::uint8_t> low(width, heights.height());
@@ -30,8 +30,9 @@ Field<std::uint8_t> without_lower(const Field<float>& heights) {
     return low;
 }
 
-// Whether the cell and all that are level with it have no lower neighbour; marks them in
-// `seen`.
+// Whether neither the cell nor any connected cell of exactly its height has a lower
+// neighbour; marks all of them in `seen`. OpenCV's connectedComponents knows no equality
+// of floats.
 bool is_minimum(const Field<float>& heights, const Field<std::uint8_t>& low,
                 std::int32_t cell, Field<std::uint8_t>& seen) {
     bool minimum = true;
@@ -50,8 +51,8 @@ bool is_minimum(const Field<float>& heights, const Field<std::uint8_t>& low,
     return minimum;
 }
 
-// Fills hollows, the lowest first: then the way out of one ends where it meets another
-// that is full already, or land that drains, and no cell is filled twice.
+// Fills hollows with water, the lowest first. The way out of a hollow then ends at
+// another that is full already, or at land that drains, so no cell is filled twice.
 class Water {
   public:
     explicit Water(const Field<float>& heights)
@@ -62,12 +63,13 @@ class Water {
     bool stands_at(std::int32_t cell) const { return standing_[cell] > 0.0f; }
     Field<float> taken_mask() { return std::move(standing_); }
 
-    // Metres over the minimum at which the water runs over.
+    // The height above the minimum at which the water overflows, metres.
     float fill(std::int32_t minimum) {
         const float bottom = heights_[minimum];
         float level = bottom;
         std::vector<std::int32_t> met;
-        std::size_t inside = 0;  // of those met; the others lie beyond the way out
+        std::size_t inside =
+            0;  // how many of `met` are filled; the others lie beyond the outlet
         reach(minimum, minimum);
         while (!shore_.empty()) {
             const auto [height, cell] = lowest();
@@ -75,7 +77,7 @@ class Water {
                 level = height;
                 inside = met.size();
             }
-            // From lower land, or such as is full already, it finds its way.
+            // Water finds its way from lower land and from hollows that are full.
             if (height < bottom || stands_at(cell) || at_edge(heights_, cell)) break;
             met.push_back(cell);
             for_neighbours(heights_, cell, [&](std::int32_t next, double) {
@@ -105,7 +107,7 @@ class Water {
 
     const Field<float>& heights_;
     Field<float> standing_;
-    Field<std::int32_t> met_by_;  // the minimum whose water saw the cell last
+    Field<std::int32_t> met_by_;  // the last minimum whose water reached the cell
     std::vector<Shore> shore_;    // a heap, lowest on top
 };
 
@@ -158,4 +160,4 @@ Depressions depressions_of(const Field<float>& heights) {
     return found;
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -5,9 +5,9 @@
 
 #include "field/field.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 
-// Cells by their index, for fields of less than 2^31 cells.
+// Cells are given by their index, in fields of fewer than 2^31 cells.
 
 template <class T>
 bool at_edge(const Field<T>& field, std::int32_t cell) {
@@ -15,7 +15,8 @@ bool at_edge(const Field<T>& field, std::int32_t cell) {
     return x == 0 || y == 0 || x == field.width() - 1 || y == field.height() - 1;
 }
 
-// visit(neighbour, distance in cells) for the up to eight neighbours, row by row.
+// Calls visit(neighbour, distance in cells) for each of the up to eight neighbours, row
+// by row.
 template <class T, class Visit>
 void for_neighbours(const Field<T>& field, std::int32_t cell, const Visit& visit) {
     const int x = cell % field.width(), y = cell / field.width();
@@ -26,4 +27,4 @@ void for_neighbours(const Field<T>& field, std::int32_t cell, const Visit& visit
                       dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/terrain.h"
-#include "synth/context.h"
+#include "synth/method.h"
 #include "synth/pareidolia/options.h"
 
 namespace cydonia::pareidolia {
@@ -18,5 +18,9 @@ namespace cydonia::pareidolia {
 Terrain run(const Options& options, const Terrain& terrain, const Context& context);
 
 inline constexpr int kVersion = 3;  // raised when the same options give other heights
+
+Method method_of(const Options& options);
+std::uint64_t peak_memory(const Options& options, std::uint64_t cells,
+                          std::uint64_t threads);
 
 }  // namespace cydonia::pareidolia

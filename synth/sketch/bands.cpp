@@ -11,7 +11,7 @@
 namespace cydonia::sketch {
 namespace {
 
-// Analysis of quadratic B-splines by least squares, cut off where it is below 1/3000
+// The least-squares analysis filter of quadratic B-splines, without weights below 1/3000
 // (Cook and DeRose 2005, appendix 1).
 constexpr std::array<float, 32> kDown = {
     0.000334f, -0.001528f, 0.000410f,  0.003545f, -0.000938f, -0.008233f, 0.002172f,
@@ -21,7 +21,8 @@ constexpr std::array<float, 32> kDown = {
     0.003546f, 0.000410f,  -0.001528f, 0.000334f};
 constexpr int kReach = 16;
 
-// The filter's sum is not quite 1, and a level land must stay level.
+// Normalised, as the printed filter does not quite sum to 1 and level land must stay
+// level.
 constexpr float sum_of(const std::array<float, 32>& filter) {
     float sum = 0.0f;
     for (const float f : filter) sum += f;
@@ -35,8 +36,8 @@ int mirrored(int at, int count) {
     return at < count ? at : period - 1 - at;
 }
 
-// Half as many values of a line: coarse value i lies between fine ones 2 i and 2 i + 1.
-// `line` has kReach values more on both sides.
+// Halves a line: coarse value i lies between fine values 2 i and 2 i + 1. `line` has
+// kReach more values on either side.
 void halve(const float* line, std::span<float> to) {
     for (std::size_t i = 0; i < to.size(); ++i) {
         const float* from = line + 2 * i + 1;
@@ -69,7 +70,7 @@ Field<float> rows_halved(const Field<float>& field) {
     return result;
 }
 
-// Values of the quadratic B-spline, twice as many.
+// Doubles a line: values of its quadratic B-spline.
 Field<float> rows_doubled(const Field<float>& field, int width) {
     const int n = field.width();
     if (width == 1) return field;
@@ -86,10 +87,10 @@ Field<float> rows_doubled(const Field<float>& field, int width) {
     return result;
 }
 
-// White noise less what halving keeps of it, of cells from (x, y) on.
+// White noise from cell (x, y) on, without what halving keeps of it.
 Field<float> finest_band(int x, int y, int width, int height, std::uint64_t seed) {
     constexpr int kAround =
-        2 * kReach;  // even, as x and y are: cells are halved in pairs
+        2 * kReach;  // even like x and y, because cells are halved in pairs
     Field<float> white(width + 2 * kAround, height + 2 * kAround);
     for (int j = 0; j < white.height(); ++j)
         for (int i = 0; i < white.width(); ++i)
@@ -109,7 +110,7 @@ double mean_square(const Field<float>& field) {
     return sum / double(field.size());
 }
 
-// Of a band that was doubled so often; what is smooth stays as it is.
+// The mean square of a band of white noise after so many doublings.
 double mean_square_doubled(int times) {
     constexpr int kEnough = 3;
     static const std::array<double, kEnough + 1> known = [] {
@@ -156,7 +157,7 @@ std::vector<Field<float>> smoothed(const Field<float>& field, int levels) {
 Field<float> wavelet_noise(int x, int y, int width, int height, int band, int levels,
                            std::uint64_t seed) {
     const int times = levels - band;
-    constexpr int kAround = 4;  // cells that doubling looks at, and more
+    constexpr int kAround = 4;  // at least the cells that doubling looks at
     const auto coarse = [&](int samples) { return (samples >> times) + 2 * kAround + 2; };
     const int left = ((x >> times) - kAround) & ~1, top = ((y >> times) - kAround) & ~1;
     Field<float> noise = finest_band(left, top, coarse(width), coarse(height),

@@ -13,13 +13,13 @@ namespace cydonia::sketch {
 Field<float> halved(const Field<float>& field);  // sides rounded up
 Field<float> doubled(const Field<float>& field, int width, int height);
 
-// I_0 to I_m of a field, all as large as it is, the smoothest first, the last the field
-// itself: in I_i is what is wider than phi_i = 2^(m - i) samples.
+// I_0 to I_m of a field, all of its size, the smoothest first. The last is the field
+// itself; I_i has everything wider than phi_i = 2^(m - i) samples.
 std::vector<Field<float>> smoothed(const Field<float>& field, int levels);
 
-// What band i of white noise has, 0 < i <= m: what is narrower than phi_(i-1) samples and
-// wider than phi_i. Of mean square 1. A window of an endless plane, from column x and row
-// y on, multiples of phi_0.
+// Band i of white noise, 0 < i <= m: everything narrower than phi_(i-1) samples and wider
+// than phi_i, with a mean square of 1. It is a window of an infinite plane, from column x
+// and row y on, which are multiples of phi_0.
 Field<float> wavelet_noise(int x, int y, int width, int height, int band, int levels,
                            std::uint64_t seed);
 

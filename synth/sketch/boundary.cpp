@@ -12,12 +12,13 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kLevel = 0.25;          // of a shoulder's steepest slope: it levels off
-constexpr double kNarrowest = 1.0 / 16;  // of the length, of a shoulder
+constexpr double kLevel = 0.25;  // share of a shoulder's steepest slope: it levels off
+constexpr double kNarrowest =
+    1.0 / 16;  // least width of a shoulder, as a share of the length
 constexpr int kMostPlaces = 4096;
 constexpr std::size_t kMostLines = 100'000;  // of a boundary
 
-// How many values from the begin of a line to where it first turns or levels off.
+// The number of values from the begin of a line to where it first turns or levels off.
 int shoulder(const std::vector<double>& line) {
     const int n = int(line.size());
     double steepest = 0.0;
@@ -31,7 +32,8 @@ int shoulder(const std::vector<double>& line) {
     return n - 1;
 }
 
-// How wide an end is so far from its tip, as a share of all: a quarter of an ellipse.
+// The width of a rounded end so far from its tip, as a share of its full width: a quarter
+// of an ellipse.
 double round(double from, double radius) {
     const double a = std::clamp(1.0 - from / radius, 0.0, 1.0);
     return std::sqrt(1.0 - a * a);
@@ -51,15 +53,16 @@ Boundary interpolated(Table table, double length) {
     };
 }
 
-// From p along a direction to a curve, metres; none where it is not met.
-double distance_to(const std::vector<texture::NamedShape>& curves, const Point2& p,
+// The distance from p along a direction to a curve, metres; none where it does not cross
+// any.
+double distance_to(const std::vector<geometry::NamedShape>& curves, const Point2& p,
                    const Point2& direction) {
-    using texture::cross;
+    using geometry::cross;
     double nearest = HUGE_VAL;
-    for (const texture::NamedShape& curve : curves)
+    for (const geometry::NamedShape& curve : curves)
         for (std::size_t s = 1; s < curve.shape.points.size(); ++s) {
             const Point2 &a = curve.shape.points[s - 1], &b = curve.shape.points[s];
-            const Point2 line = texture::from_to(a, b), to = texture::from_to(p, a);
+            const Point2 line = geometry::from_to(a, b), to = geometry::from_to(p, a);
             const double area = cross(direction, line);
             if (area == 0.0) continue;
             const double along = cross(to, line) / area,
@@ -70,7 +73,7 @@ double distance_to(const std::vector<texture::NamedShape>& curves, const Point2&
     return nearest;
 }
 
-// Fills the gaps of one side from their neighbours; how many there were.
+// Fills the gaps of one side from their neighbours, and returns how many there were.
 int bridge(Table& table, std::size_t side) {
     int gaps = 0, last = -1;
     const int n = int(table.size());
@@ -94,7 +97,8 @@ int bridge(Table& table, std::size_t side) {
 
 Boundary capsule(const Field<float>& silhouette, double length) {
     const int n = silhouette.width();
-    // Without what is narrower than an eighth of it: shoulders are no noise.
+    // The silhouette without details narrower than an eighth of it, as shoulders are not
+    // noise.
     const int levels = std::clamp(int(std::log2(n / 8.0)), 1, 10);
     const Field<float> smooth = smoothed(silhouette, levels)[0];
     std::vector<double> line(smooth.begin(), smooth.end());
@@ -104,7 +108,7 @@ Boundary capsule(const Field<float>& silhouette, double length) {
     std::vector<double> back(line.rbegin(), line.rend());
     const double left = length * shoulder(line) / (n - 1),
                  right = length * shoulder(back) / (n - 1);
-    // One peak's shoulders are all of it.
+    // The shoulders of a single peak make up all of it.
     const double fit = std::min(1.0, length / (left + right));
     const double begin = fit * left, end = fit * right, width = 0.5 * (begin + end);
     Table table;
@@ -130,11 +134,11 @@ Boundary rounded(Boundary boundary, double length, const std::array<bool, 2>& go
     };
 }
 
-Boundary drawn_boundary(const texture::Shape& shadow,
-                        const std::vector<texture::NamedShape>& curves, double spacing,
+Boundary drawn_boundary(const geometry::Shape& shadow,
+                        const std::vector<geometry::NamedShape>& curves, double spacing,
                         const std::string& name, Progress& progress) {
     std::size_t lines = 0;
-    for (const texture::NamedShape& curve : curves) lines += curve.shape.points.size();
+    for (const geometry::NamedShape& curve : curves) lines += curve.shape.points.size();
     if (lines > kMostLines)
         throw bad_request("'{}': its boundary has more than {} points", name, kMostLines);
     const int count =
@@ -142,14 +146,14 @@ Boundary drawn_boundary(const texture::Shape& shadow,
     Table table;
     int crossed = 0;
     for (int i = 0; i <= count; ++i) {
-        // Within the ends, whose own sides say nothing.
+        // Not at the very ends, where the sides are undefined.
         const double along =
             shadow.length() * std::clamp(double(i), 0.25, count - 0.25) / count;
         const double half = 0.5 * shadow.length() / count;
         const Point2 p = shadow.at(along);
-        const Point2 d = texture::unit_of(
-            texture::from_to(shadow.at(std::max(0.0, along - half)),
-                             shadow.at(std::min(shadow.length(), along + half))));
+        const Point2 d = geometry::unit_of(
+            geometry::from_to(shadow.at(std::max(0.0, along - half)),
+                              shadow.at(std::min(shadow.length(), along + half))));
         std::array<double, 2> sides{distance_to(curves, p, {-d[1], d[0]}),
                                     distance_to(curves, p, {d[1], -d[0]})};
         for (double& side : sides)

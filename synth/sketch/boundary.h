@@ -11,22 +11,23 @@
 
 namespace cydonia::sketch {
 
-// How far a landform reaches to the left and right of a place along its shadow, metres.
+// How far a landform reaches to the left and right of a position along its shadow,
+// metres.
 using Boundary = std::function<std::array<double, 2>(double along)>;
 
-// Figure 3: as wide as the silhouette's shoulders are long on average, with rounded ends
-// as long as they are. A single peak stands on a disc, a range on a capsule. `silhouette`
-// over `length` metres.
+// The default boundary (figure 3): as wide as the silhouette's shoulders are long on
+// average, with rounded ends of the same length. A single peak stands on a disc, a range
+// on a capsule. The silhouette is `length` metres long.
 Boundary capsule(const Field<float>& silhouette, double length);
 
-// The same boundary with rounded ends; not where a landform goes on over them.
+// The boundary with rounded ends, except where the landform continues beyond an end.
 Boundary rounded(Boundary boundary, double length, const std::array<bool, 2>& goes_on);
 
-// As far as curves that are drawn around the shadow. Where they cross it, or leave a gap,
-// between their neighbours, and says so. Throws bad_request where they leave open most
-// of a side.
-Boundary drawn_boundary(const texture::Shape& shadow,
-                        const std::vector<texture::NamedShape>& curves, double spacing,
+// The boundary given by curves that are drawn around the shadow. Where they cross the
+// shadow or leave a gap, it is interpolated, and a note says so. Throws bad_request where
+// curves leave most of a side open.
+Boundary drawn_boundary(const geometry::Shape& shadow,
+                        const std::vector<geometry::NamedShape>& curves, double spacing,
                         const std::string& name, Progress& progress);
 
 }  // namespace cydonia::sketch

@@ -17,7 +17,8 @@ constexpr std::size_t kLargest = std::size_t{4} << 20;
 
 using Graph = std::map<std::string, std::vector<std::string>>;
 
-// A line a landform: its name and those it stands on, between tabs.
+// A line for each landform: its name and the names of those it stands on, separated by
+// tabs.
 Graph remembered(const std::filesystem::path& file) {
     std::error_code none;
     if (file.empty() || !std::filesystem::exists(file, none)) return {};
@@ -34,7 +35,7 @@ Graph remembered(const std::filesystem::path& file) {
     return graph;
 }
 
-// All that stood on a landform, and on that.
+// Everything that stood on a landform, directly or not.
 void collect(const Graph& graph, const std::string& name, std::vector<std::string>& all) {
     for (const auto& [above, below] : graph)
         if (std::ranges::find(below, name) != below.end() &&
@@ -83,7 +84,7 @@ const std::string& Stack::on_top(std::size_t sample) const {
 Field<float> Stack::without(const Field<float>& land,
                             const std::vector<std::string>& names) const {
     Field<float> seen = land;
-    // The latest first, as they were laid one on the other.
+    // The latest first, in the order in which they lie on one another.
     for (auto feature = features_.rbegin(); feature != features_.rend(); ++feature) {
         const auto trace = traces_.find(feature->name);
         if (trace == traces_.end() ||

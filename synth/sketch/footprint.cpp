@@ -8,30 +8,31 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kLeastReach = 2.0;  // samples: of the finest deformations
-constexpr double kMostLean = 0.7;  // cosine of the base line with the shadow: 45 degrees
+constexpr double kLeastReach = 2.0;  // samples, of the finest deformations
+constexpr double kMostLean =
+    0.7;  // cosine of the angle between base line and shadow: 45 degrees
 
-using texture::cross;
-using texture::dot;
-using texture::from_to;
+using geometry::cross;
+using geometry::dot;
+using geometry::from_to;
 
-// The shadow by places on the line through its ends, half a sample apart.
+// The shadow as seen from stations on the line through its ends, half a sample apart.
 struct BaseLine {
-    struct Place {
-        double along;        // metres, of the shadow
-        double aside;        // metres left of the base line
-        double lean;         // cosine of the angle between them
-        double left, right;  // metres, of the boundary
+    struct Station {
+        double along;  // position along the shadow, metres
+        double aside;  // distance of the shadow to the left of the base line, metres
+        double lean;   // cosine of the angle between them
+        double left, right;  // distances of the boundary, metres
     };
     Point2 begin, direction;  // of length 1
     double length, step;
-    std::vector<Place> places;
+    std::vector<Station> stations;
 
     BaseLine(const Landform& landform, double spacing) {
-        const texture::Shape& shadow = landform.shadow;
+        const geometry::Shape& shadow = landform.shadow;
         begin = shadow.points.front();
         const Point2 chord = from_to(begin, shadow.points.back());
-        length = texture::length(chord), direction = texture::unit_of(chord);
+        length = geometry::length(chord), direction = geometry::unit_of(chord);
         const int count = std::max(2, int(std::ceil(2.0 * length / spacing)));
         step = length / count;
         std::size_t s = 0;
@@ -43,34 +44,35 @@ struct BaseLine {
             while (s + 2 < shadow.points.size() && share_of(s + 1) < t) ++s;
             const double from = share_of(s), to = share_of(s + 1);
             const double share = std::clamp((t - from) / (to - from), 0.0, 1.0);
-            Place place;
-            place.along =
+            Station station;
+            station.along =
                 shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
-            place.aside = cross(
-                direction, from_to(begin, texture::between(shadow.points[s],
-                                                           shadow.points[s + 1], share)));
-            // Of tangents, which do not jump from line to line.
-            place.lean = dot(texture::unit_of(texture::between(
-                                 shadow.tangents[s], shadow.tangents[s + 1], share)),
-                             direction);
-            const auto boundary = landform.boundary(place.along);
-            place.left = boundary[0], place.right = boundary[1];
-            places.push_back(place);
+            station.aside =
+                cross(direction,
+                      from_to(begin, geometry::between(shadow.points[s],
+                                                       shadow.points[s + 1], share)));
+            // From tangents, which do not jump from line to line.
+            station.lean = dot(geometry::unit_of(geometry::between(
+                                   shadow.tangents[s], shadow.tangents[s + 1], share)),
+                               direction);
+            const auto boundary = landform.boundary(station.along);
+            station.left = boundary[0], station.right = boundary[1];
+            stations.push_back(station);
         }
     }
-    // Between two.
-    Place at(double t) const {
-        const double k = std::clamp(t / step, 0.0, double(places.size() - 1));
-        const auto i = std::min(std::size_t(k), places.size() - 2);
+    // Interpolated between two stations.
+    Station at(double t) const {
+        const double k = std::clamp(t / step, 0.0, double(stations.size() - 1));
+        const auto i = std::min(std::size_t(k), stations.size() - 2);
         const double f = k - double(i);
-        const Place &a = places[i], &b = places[i + 1];
+        const Station &a = stations[i], &b = stations[i + 1];
         const auto mix = [f](double from, double to) { return from + f * (to - from); };
         return {mix(a.along, b.along), mix(a.aside, b.aside), mix(a.lean, b.lean),
                 mix(a.left, b.left), mix(a.right, b.right)};
     }
     double widest() const {
         double most = 0.0;
-        for (const Place& p : places)
+        for (const Station& p : stations)
             most = std::max({most, (std::abs(p.aside) + p.left / p.lean),
                              std::abs(p.aside) + p.right / p.lean});
         return most;
@@ -82,10 +84,10 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
     const BaseLine line(landform, spacing);
     const double widest = line.widest(), total = landform.shadow.length();
     const int values = landform.silhouette.width();
-    const texture::Grid grid{spacing,      0.0,          spacing * land.height(), 0, 0,
-                             land.width(), land.height()};
+    const geometry::Grid grid{spacing,      0.0,          spacing * land.height(), 0, 0,
+                              land.width(), land.height()};
     const auto range = grid.cells_in(
-        texture::Box::of(landform.shadow.points.front(), landform.shadow.points.back())
+        geometry::Box::of(landform.shadow.points.front(), landform.shadow.points.back())
             .grown(widest));
     std::vector<Foot> feet;
     for (int y = range.y0; y < range.y1; ++y)
@@ -93,21 +95,21 @@ std::vector<Foot> on_base_line(const Landform& landform, const Field<float>& lan
             const Point2 p = from_to(line.begin, grid.centre(x, y));
             const double t = dot(p, line.direction), aside = cross(line.direction, p);
             if (t < 0.0 || t > line.length || std::abs(aside) > widest) continue;
-            const BaseLine::Place place = line.at(t);
-            // Across the shadow, as boundaries are measured.
-            const double off = (aside - place.aside) * place.lean;
-            const double reach = off > 0.0 ? place.left : place.right;
+            const BaseLine::Station station = line.at(t);
+            // Measured across the shadow, as boundaries are.
+            const double off = (aside - station.aside) * station.lean;
+            const double reach = off > 0.0 ? station.left : station.right;
             if (!(std::abs(off) < reach)) continue;
-            feet.push_back({land.index(x, y), float(place.along / total * (values - 1)),
+            feet.push_back({land.index(x, y), float(station.along / total * (values - 1)),
                             float(std::abs(off) / spacing), float(reach / spacing)});
         }
     return feet;
 }
 
-// By a full search of the curve.
+// By the nearest point of the whole curve.
 std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
                             double spacing) {
-    const texture::Shape& shadow = landform.shadow;
+    const geometry::Shape& shadow = landform.shadow;
     const double depth = spacing * land.height(), length = shadow.length();
     const int values = landform.silhouette.width();
     double widest = 0.0;
@@ -115,9 +117,9 @@ std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
         const auto [left, right] = landform.boundary(length * i / (values - 1));
         widest = std::max({widest, left, right});
     }
-    const texture::Grid grid{spacing, 0.0, depth, 0, 0, land.width(), land.height()};
-    Field<texture::Nearest> nearest(land.width(), land.height());
-    texture::add_nearest(shadow, grid, widest, nearest);
+    const geometry::Grid grid{spacing, 0.0, depth, 0, 0, land.width(), land.height()};
+    Field<geometry::Nearest> nearest(land.width(), land.height());
+    geometry::add_nearest(shadow, grid, widest, nearest);
 
     std::vector<Foot> feet;
     for (int y = 0; y < land.height(); ++y)
@@ -127,7 +129,7 @@ std::vector<Foot> on_shadow(const Landform& landform, const Field<float>& land,
             const auto s = std::size_t(segment);
             const Point2 p = grid.centre(x, y), &a = shadow.points[s],
                          &b = shadow.points[s + 1];
-            const double share = texture::nearest_share(a, b, p);
+            const double share = geometry::nearest_share(a, b, p);
             const double along =
                 shadow.along[s] + share * (shadow.along[s + 1] - shadow.along[s]);
             const bool left = cross(from_to(a, b), from_to(a, p)) > 0.0;
@@ -148,14 +150,14 @@ float Foot::weight(float share) const {
     return a < 1.0f && distance < reach ? b * b : 0.0f;
 }
 
-bool lies_on_base_line(const texture::Shape& shadow) {
+bool lies_on_base_line(const geometry::Shape& shadow) {
     if (shadow.closed) return false;
     const Point2 chord =
-        texture::unit_of(from_to(shadow.points.front(), shadow.points.back()));
+        geometry::unit_of(from_to(shadow.points.front(), shadow.points.back()));
     for (int s = 0; s < shadow.segments(); ++s) {
         const Point2 d =
             from_to(shadow.points[std::size_t(s)], shadow.points[std::size_t(s) + 1]);
-        if (dot(texture::unit_of(d), chord) < kMostLean) return false;
+        if (dot(geometry::unit_of(d), chord) < kMostLean) return false;
     }
     return true;
 }
@@ -171,7 +173,8 @@ std::vector<Foot> footprint(const Landform& landform, const Field<float>& land,
 
 void share_out(std::vector<std::vector<Foot>>& feet, std::size_t samples) {
     if (feet.size() < 2) return;
-    // Inverse distances, without a step where a landform ends; on a shadow its own alone.
+    // Weights are inverse distances, without a step where a landform ends. On a shadow
+    // only its own landform counts.
     const auto pull = [](const Foot& foot) {
         return foot.noise / (foot.distance * foot.distance + 1e-3f);
     };

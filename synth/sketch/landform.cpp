@@ -12,8 +12,8 @@
 namespace cydonia::sketch {
 namespace {
 
-// That bring the land onto the silhouettes; of several, which share samples where they
-// meet.
+// The number of rounds that bring the land onto the silhouettes. One is not enough,
+// because landforms share samples where they meet.
 constexpr int kLastRounds = 4, kLastRoundsOfSeveral = 12;
 
 float value_at(const Field<float>& line, float place) {
@@ -22,10 +22,11 @@ float value_at(const Field<float>& line, float place) {
     return line.width() == 1 ? line[0] : (1.0f - t) * line(i, 0) + t * line(i + 1, 0);
 }
 
-// The values of a line at places all over a footprint. Where feet are found on the shadow
-// itself the nearest place jumps from leg to leg on the inner side of a bend: there it is
-// the mean of all places, weighted by their distance, which goes over from one to the
-// other and on the shadow is its own value (Shepard 1968).
+// The values along a shadow, spread over its footprint. Where feet are found on the
+// shadow itself, the nearest position jumps from one leg of a bend to the other on its
+// inner side. There the value is the mean over all positions, weighted by inverse
+// distance, which changes gradually and equals the shadow's own value on the shadow
+// (Shepard 1968).
 class Spread {
   public:
     Spread(const Landform& landform, const std::vector<std::array<double, 2>>& places,
@@ -35,7 +36,7 @@ class Spread {
             for (const auto& [x, y] : places) places_.push_back({float(x), float(y)});
     }
     float operator()(const Field<float>& line, const Foot& foot) const {
-        constexpr float kNear = 8.0f;  // places this much nearer each other are alike
+        constexpr float kNear = 8.0f;  // positions this much closer together count as one
         if (!smooth_) return value_at(line, foot.place);
         int stride = 1;
         while (float(2 * stride) * kNear < foot.distance) stride *= 2;
@@ -59,11 +60,11 @@ class Spread {
     std::vector<std::array<float, 2>> places_;
 };
 
-// Where the shadow is, in samples of the land, for each value of the silhouette.
+// For each value of the silhouette its position on the shadow, in samples of the land.
 struct Course {
     std::vector<std::array<double, 2>> places;
-    double step;                 // samples from one to the next
-    std::array<bool, 2> pinned;  // ends with nothing to blend into
+    double step;                 // samples from one value to the next
+    std::array<bool, 2> pinned;  // ends that have nothing to blend into
 
     Course(const Landform& landform, const Field<float>& land, double spacing)
         : pinned(landform.goes_on) {
@@ -76,7 +77,7 @@ struct Course {
                 {p[0] / spacing - 0.5, land.height() - p[1] / spacing - 0.5});
         }
     }
-    // 0 at the ends, 1 from `width` samples on, without a bend.
+    // 0 at the ends and 1 from `width` samples on, smooth at both.
     float inside(int i, double width) const {
         const double begin = pinned[0] ? width : step * i,
                      end = pinned[1] ? width : step * (int(places.size()) - 1 - i);
@@ -84,8 +85,8 @@ struct Course {
     }
 };
 
-// Eq. 3: by what a silhouette is higher than the land with its change so far, along all
-// of it.
+// Eq. 3: how much higher the silhouette is than the land with its change so far, along
+// the whole shadow.
 Field<float> missing(const Field<float>& change, const Field<float>& land,
                      const Field<float>& silhouette, const Course& course, double width) {
     Field<float> step(silhouette.width(), 1);
@@ -98,14 +99,14 @@ Field<float> missing(const Field<float>& change, const Field<float>& land,
     return step;
 }
 
-// All that a feature's landforms need while they are made.
+// Everything that a feature's landforms need while they are made.
 struct Works {
     std::span<const Landform> landforms;
     const std::vector<std::vector<Foot>>& feet;
     std::vector<Course> courses = {};
     std::vector<Spread> spreads = {};
 
-    // Raises what the silhouettes, as `heights` has them, are higher than the land.
+    // Raises the land by the amount that the silhouettes in `heights` are higher.
     void pull(Field<float>& change, const Field<float>& land,
               const std::function<const Field<float>&(std::size_t)>& heights, float share,
               double width) const {
@@ -147,7 +148,7 @@ Works works_of(std::span<const Landform> landforms,
     return works;
 }
 
-// Through the logarithms of bands that have any noise.
+// A line through the logarithms of those bands that have any noise.
 std::vector<double> fitted(const std::vector<double>& measured, int last) {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (int i = 1; i <= last; ++i) {
@@ -171,7 +172,7 @@ NoiseLevels noise_of(const Field<float>& silhouette, int levels, bool mouse) {
     NoiseLevels noise;
     for (int i = 1; i <= levels; ++i) {
         double squares = 0.0;
-        // Where the filter does not look beyond the ends, which are bent.
+        // Only where the filter does not look beyond the ends.
         const int n = silhouette.width(), end = std::min(4 << (levels - i), n / 3);
         for (int k = end; k < n - end; ++k) {
             const double d = scales[std::size_t(i)][std::size_t(k)] -

@@ -11,25 +11,26 @@
 
 namespace cydonia::sketch {
 
-// Noise of a silhouette's bands: entry i - 1 for band i, metres.
+// The strength of a silhouette's bands, as deviations in metres: entry i - 1 is for band
+// i.
 struct NoiseLevels {
     std::vector<double> measured;
-    std::vector<double> fitted;  // by an exponential decay, which terrain has
+    std::vector<double> fitted;  // an exponential decay, as terrain has
 };
 NoiseLevels noise_of(const Field<float>& silhouette, int levels, bool mouse);
-// Of a whole land.
+// The same of a whole land.
 NoiseLevels noise_of_land(const Field<float>& heights, int levels);
 
-// Band i of the noise that landforms get (bands.h), as large as the land, of mean square
-// 1.
+// Gives band i of the noise of landforms (bands.h), as large as the land and with a mean
+// square of 1.
 using Noise = std::function<Field<float>(int band)>;
 Noise wavelets(const Field<float>& land, int levels, std::uint64_t seed);
 
-// The land deformed so that it has the silhouettes' heights along their shadows and is as
-// rough as they are, and none of it beyond their boundaries (section 4). Scale by scale,
-// from what is wider than 2^levels samples on. Outside it keeps its bytes. The landforms
-// are one feature, a way and its branches: where two reach, each counts the more the
-// nearer it is. Gives the feet of each.
+// Deforms the land so that it has the silhouettes' heights along their shadows and their
+// roughness (section 4). This works scale by scale, from 2^levels samples down. Beyond
+// the boundaries the land keeps its bytes. The landforms are one feature, a way and its
+// branches; where several reach, the nearer ones count more. Returns the feet of each
+// landform.
 std::vector<std::vector<Foot>> deform(Field<float>& land, double spacing,
                                       std::span<const Landform> landforms, int levels,
                                       const Noise& noise);

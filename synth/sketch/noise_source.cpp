@@ -13,7 +13,8 @@
 namespace cydonia::sketch {
 namespace {
 
-// The bands of a land, of mean square 1 under the feature; wavelets where it has none.
+// The bands of a land, scaled to a mean square of 1 under the feature. Wavelets replace
+// bands that the land does not have.
 Noise bands_of(const Field<float>& land, double spacing,
                const std::vector<Landform>& landforms, int levels, const Noise& plain) {
     const auto scales =
@@ -24,7 +25,7 @@ Noise bands_of(const Field<float>& land, double spacing,
     return [scales, feet = std::move(feet), plain](int i) {
         const Field<float>&fine = (*scales)[std::size_t(i)],
               &coarse = (*scales)[std::size_t(i - 1)];
-        constexpr double kLeast = 1e-3;  // metres
+        constexpr double kLeast = 1e-3;  // metres: weaker bands do not exist
         double squares = 0.0, weights = 0.0;
         for (const Foot& foot : feet) {
             const double d = fine[foot.index] - coarse[foot.index];
@@ -72,7 +73,7 @@ Noise NoiseSource::of(std::vector<Landform>& landforms, const Field<float>& land
                     spacing_, landforms, levels, plain);
 }
 
-// As strong as the model's own bands; finer ones than its cells by their fit.
+// As strong as the model's bands; bands finer than its cells follow the fit.
 void NoiseSource::measure() {
     const Terrain model = read_dem(*options_.noise_from);
     const int levels = options_.levels;
@@ -80,18 +81,18 @@ void NoiseSource::measure() {
     if (!(own.front() > 0.0 && own.back() > 0.0))
         throw bad_request("{}: the model is level and has no noise",
                           options_.noise_from->name());
-    // A band of the model is one of the terrain's so many steps wider.
+    // A band of the model is a band of the terrain this many steps wider.
     const double wider = std::round(std::log2(model.spacing / spacing_));
     const double decay = std::log(own.back() / own.front()) / std::max(1, levels - 1);
     for (int i = 1; i <= levels; ++i)
         strength_.push_back(own.back() * std::exp(decay * (i - levels + wider)));
 }
 
-// Real land sample for sample where it is coarser than the terrain: only its form counts,
-// how strong it is says the silhouette.
+// Real land is taken sample for sample even where it is coarser than the terrain. Only
+// its form counts; the silhouette says how strong it is.
 double NoiseSource::stretch() const { return std::min(1.0, spacing_ / model_spacing_); }
 
-// What details by example add to the feature without noise.
+// The difference that detail by example makes to the feature without noise.
 Field<float> NoiseSource::detailed(const std::vector<Landform>& landforms,
                                    const Field<float>& land, int levels,
                                    std::uint64_t seed) const {

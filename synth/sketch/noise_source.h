@@ -10,13 +10,15 @@
 
 namespace cydonia::sketch {
 
-// What landforms' noise is made of, as options say: wavelets, or real land's bands.
+// Makes the noise of landforms that the options ask for: of wavelets, or of the bands of
+// real land.
 class NoiseSource {
   public:
-    // Throws bad_request for real land that cannot be read, or is level.
+    // Throws bad_request for real land that cannot be read or is level.
     NoiseSource(const Options& options, const Terrain& terrain, const Context& context);
 
-    // Of a feature that is to be made on the land; may set how strong its bands are.
+    // The noise for a feature that will be made on the land. May set the strength of the
+    // landforms' bands.
     Noise of(std::vector<Landform>& landforms, const Field<float>& land,
              std::uint64_t seed) const;
 
@@ -29,8 +31,7 @@ class NoiseSource {
     const Options& options_;
     const Context& context_;
     double spacing_, model_spacing_ = 1.0;
-    std::vector<double>
-        strength_;  // of the finest bands, metres; empty: the silhouettes'
+    std::vector<double> strength_;  // of bands, metres; empty: the silhouettes' own
     Field<float> synthesised_;
 };
 

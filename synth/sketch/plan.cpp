@@ -19,14 +19,14 @@ constexpr double kTypicalSlope = 30.0;  // degrees (docs/papers.md, Gain 2009, 2
 constexpr double kMostValues = 65536.0;
 constexpr std::size_t kMostWays = 256;  // of a landform
 
-texture::Curve curve_of(const std::string& name, const Way& way) {
-    texture::Curve curve{.name = name};
+geometry::Curve curve_of(const std::string& name, const Way& way) {
+    geometry::Curve curve{.name = name};
     curve.points = way.points, curve.drawing = way.drawing, curve.id = way.id;
     return curve;
 }
 
-texture::Curve curve_of(const Feature& feature) {
-    texture::Curve curve = curve_of(feature.name, feature.way);
+geometry::Curve curve_of(const Feature& feature) {
+    geometry::Curve curve = curve_of(feature.name, feature.way);
     curve.height = feature.height;
     curve.area = feature.boundary.value_or(curve.area);
     for (const Hold& hold : feature.holds)
@@ -40,10 +40,10 @@ bool has_boundary(const Feature& feature) {
            });
 }
 
-// Where the shadow of a silhouette in a view runs that has none of its own: straight
+// The shadow of a silhouette in a view for which no way is given: the straight line
 // between its ends as they are cast on the land.
-texture::Shape default_shadow(const Feature& feature, const Sight& sight,
-                              const Land& land, Progress& progress) {
+geometry::Shape default_shadow(const Feature& feature, const Sight& sight,
+                               const Land& land, Progress& progress) {
     std::vector<Point2> ends;
     for (const std::size_t end : {0u, 1u}) {
         const std::string_view side = end == 0 ? "left" : "right";
@@ -61,11 +61,11 @@ texture::Shape default_shadow(const Feature& feature, const Sight& sight,
                 feature.name, side));
         ends.push_back(landing->place);
     }
-    if (texture::distance(ends[0], ends[1]) < 4.0 * land.ground.spacing)
+    if (geometry::distance(ends[0], ends[1]) < 4.0 * land.ground.spacing)
         throw bad_request(
             "{}: '{}': the ends of its stroke are cast on one place of the land",
             feature.view->drawing.name(), feature.name);
-    return texture::shape_through(std::move(ends), feature.name);
+    return geometry::shape_through(std::move(ends), feature.name);
 }
 
 double most_above(const Landform& landform, const Land& land) {
@@ -78,13 +78,13 @@ double most_above(const Landform& landform, const Land& land) {
 }
 
 void set_boundary(Landform& landform, const Feature& feature,
-                  const std::shared_ptr<texture::Course>& course, const Land& land,
+                  const std::shared_ptr<geometry::Course>& course, const Land& land,
                   Progress& progress) {
     if (feature.boundary_curve) {
         landform.boundary = drawn_boundary(
             landform.shadow,
-            texture::shapes_of(curve_of(feature.name, *feature.boundary_curve),
-                               land.ground),
+            geometry::shapes_of(curve_of(feature.name, *feature.boundary_curve),
+                                land.ground),
             land.ground.spacing, feature.name, progress);
     } else if (has_boundary(feature)) {
         landform.boundary =
@@ -103,17 +103,18 @@ void set_boundary(Landform& landform, const Feature& feature,
     }
 }
 
-// Where an end of a way lies on another way of the same feature.
+// The position on another way of the same feature where an end of a way lies.
 struct Joint {
     std::size_t way;
-    double share;  // of that
+    double share;  // of the other way's length
 };
 using Joints = std::array<std::optional<Joint>, 2>;
 
-// Of ways with those before them; leads their ends onto these.
-std::vector<Joints> joined(std::vector<texture::NamedShape>& ways,
-                           const texture::Ground& ground) {
-    constexpr double kReach = 0.02;  // of the terrain's width: what a hand leaves open
+// Joins ways with those before them, and moves their ends onto these.
+std::vector<Joints> joined(std::vector<geometry::NamedShape>& ways,
+                           const geometry::Ground& ground) {
+    constexpr double kReach =
+        0.02;  // share of the terrain's width: gaps that a hand leaves open
     std::vector<Joints> joints(ways.size());
     for (std::size_t k = 1; k < ways.size(); ++k) {
         if (ways[k].shape.closed) continue;
@@ -123,13 +124,13 @@ std::vector<Joints> joined(std::vector<texture::NamedShape>& ways,
             double nearest = kReach * ground.width;
             Point2 at = p;
             for (std::size_t other = 0; other < k; ++other) {
-                const texture::Shape& way = ways[other].shape;
+                const geometry::Shape& way = ways[other].shape;
                 for (std::size_t s = 0; s + 1 < way.points.size(); ++s) {
                     const Point2 &a = way.points[s], &b = way.points[s + 1];
-                    const double t = texture::nearest_share(a, b, p);
-                    const Point2 there = texture::between(a, b, t);
-                    if (texture::distance(p, there) >= nearest) continue;
-                    nearest = texture::distance(p, there), at = there;
+                    const double t = geometry::nearest_share(a, b, p);
+                    const Point2 there = geometry::between(a, b, t);
+                    if (geometry::distance(p, there) >= nearest) continue;
+                    nearest = geometry::distance(p, there), at = there;
                     joints[k][end] = {
                         other, (way.along[s] + t * (way.along[s + 1] - way.along[s])) /
                                    way.length()};
@@ -137,16 +138,16 @@ std::vector<Joints> joined(std::vector<texture::NamedShape>& ways,
             }
             if (!joints[k][end] || nearest < 0.01 * ground.spacing) continue;
             points.insert(end == 0 ? points.begin() : points.end(), at);
-            ways[k].shape = texture::shape_through(std::move(points), ways[k].name);
+            ways[k].shape = geometry::shape_through(std::move(points), ways[k].name);
         }
     }
     return joints;
 }
 
-Landform landform_of(const Feature& feature, const texture::NamedShape& named,
+Landform landform_of(const Feature& feature, const geometry::NamedShape& named,
                      const Joints& joints, const std::optional<Sight>& sight,
                      const Land& land, int levels, Progress& progress) {
-    const auto course = std::make_shared<texture::Course>(
+    const auto course = std::make_shared<geometry::Course>(
         curve_of(feature), named.name, named.shape, land.ground, nullptr);
     const double length = named.shape.length();
     const int values = values_along(length, land.ground.spacing);
@@ -174,7 +175,7 @@ Landform landform_of(const Feature& feature, const texture::NamedShape& named,
     return landform;
 }
 
-// Branches begin and end as high as the way that they leave or come to.
+// A branch begins and ends at the height of the way that it joins.
 void join(std::vector<Landform>& landforms, const std::vector<Joints>& joints) {
     for (std::size_t k = 1; k < landforms.size(); ++k) {
         Field<float>& branch = landforms[k].silhouette;
@@ -193,12 +194,12 @@ void join(std::vector<Landform>& landforms, const std::vector<Joints>& joints) {
     }
 }
 
-// Those whose widest scale, a quarter of the way, is one that the landform has: of a
-// wider one there would be nothing, and all of it a fin as narrow as the finest.
-int levels_of(const std::vector<texture::NamedShape>& ways, double spacing,
+// The number of levels whose widest scale is at most a quarter of the way. A landform has
+// nothing on wider scales, and would become a fin as narrow as the finest.
+int levels_of(const std::vector<geometry::NamedShape>& ways, double spacing,
               const Options& options) {
     double longest = 0.0;
-    for (const texture::NamedShape& way : ways)
+    for (const geometry::NamedShape& way : ways)
         longest = std::max(longest, way.shape.length());
     return std::clamp(int(std::log2(0.25 * longest / spacing)), 1, options.levels);
 }
@@ -213,17 +214,17 @@ bool has_way(const Feature& feature) {
     return !feature.way.points.empty() || feature.way.drawing;
 }
 
-std::vector<texture::NamedShape> ways_of(const std::string& name, const Way& way,
-                                         const Land& land, Progress& progress) {
-    auto shapes = texture::shapes_of(curve_of(name, way), land.ground);
+std::vector<geometry::NamedShape> ways_of(const std::string& name, const Way& way,
+                                          const Land& land, Progress& progress) {
+    auto shapes = geometry::shapes_of(curve_of(name, way), land.ground);
     if (shapes.size() == 1) shapes[0].name = name;
     if (shapes.size() > kMostWays)
         throw bad_request("'{}': {} paths are too many for one; at most {}", name,
                           shapes.size(), kMostWays);
-    for (texture::NamedShape& named : shapes)
+    for (geometry::NamedShape& named : shapes)
         if (const int loops = cut_loops(named.shape.points)) {
             named.shape =
-                texture::shape_through(std::move(named.shape.points), named.name);
+                geometry::shape_through(std::move(named.shape.points), named.name);
             progress.note(fmt::format("'{}': its way crosses itself; {} cut off",
                                       named.name,
                                       loops == 1 ? "a loop is" : "loops are"));
@@ -243,7 +244,7 @@ Plan plan_of(const Feature& feature, const Land& land, const Field<float>& seen_
             {feature.name, default_shadow(feature, *plan.sight, through, progress)}};
     }
     if (feature.view && has_way(feature))
-        for (texture::NamedShape& named : plan.ways) {
+        for (geometry::NamedShape& named : plan.ways) {
             auto part =
                 part_in_sight(named.shape, *plan.sight, land.ground.spacing, named.name);
             if (!part)

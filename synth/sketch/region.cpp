@@ -10,10 +10,10 @@
 namespace cydonia::sketch {
 namespace {
 
-// Samples from each place inside to the loop; 0 beyond it.
-Field<float> distances(const texture::Shape& loop, double spacing, int width,
+// The distance to the loop at each sample inside it, in samples; 0 outside.
+Field<float> distances(const geometry::Shape& loop, double spacing, int width,
                        int height) {
-    constexpr int kParts = 16;  // of a sample
+    constexpr int kParts = 16;  // subpixels of a sample
     std::vector<cv::Point> polygon;
     for (const Point2& p : loop.points)
         polygon.emplace_back(int(std::lround((p[0] / spacing - 0.5) * kParts)),
@@ -28,7 +28,7 @@ Field<float> distances(const texture::Shape& loop, double spacing, int width,
 
 }  // namespace
 
-void roughen(Field<float>& land, double spacing, const texture::Shape& loop,
+void roughen(Field<float>& land, double spacing, const geometry::Shape& loop,
              const NoiseLevels& noise, int levels, std::uint64_t seed) {
     const Field<float> inside = distances(loop, spacing, land.width(), land.height());
     const std::vector<Field<float>> scales = smoothed(land, levels);

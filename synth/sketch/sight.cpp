@@ -11,20 +11,22 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr int kValues = 16384;                  // of a stroke
-constexpr double kShortest = 1.0 / 2048;        // of the page: its lines, which bend here
+constexpr int kValues = 16384;  // of a stroke
+constexpr double kShortest =
+    1.0 / 2048;  // share of the page: lines are divided into such parts
 constexpr std::size_t kMostPoints = 4'000'000;  // of strokes
-constexpr int kNarrowest = 8, kBelow = 10;      // values; lines below a stroke
-constexpr double kStep = 0.25;                  // samples, along lines of sight
+constexpr int kNarrowest = 8,
+              kBelow = 10;      // values of the narrowest filter; lines below a stroke
+constexpr double kStep = 0.25;  // samples, along a line of sight
 
-using texture::dot;
-using texture::from_to;
+using geometry::dot;
+using geometry::from_to;
 
 double height_at(const Field<float>& land, double spacing, const Point2& p) {
     return bilinear(land, p[0] / spacing - 0.5, land.height() - p[1] / spacing - 0.5);
 }
 
-// The part of a line of sight that is over the terrain, metres from the eye.
+// The part of a line of sight over the terrain, as distances from the eye in metres.
 std::optional<std::array<double, 2>> over_terrain(const Field<float>& land,
                                                   double spacing, const Point2& eye,
                                                   const Point2& direction) {
@@ -47,8 +49,8 @@ Point2 on_way(const Point2& eye, const Point2& direction, double metres) {
     return {eye[0] + metres * direction[0], eye[1] + metres * direction[1]};
 }
 
-// The least over so many values on both sides of each, averaged over as many: nowhere
-// above the line.
+// The minimum over so many values on both sides of each, then averaged over as many; it
+// is nowhere above the line.
 Field<float> lowered(const Field<float>& line, int half) {
     const int n = line.width();
     Field<float> least = line;
@@ -71,7 +73,7 @@ Field<float> lowered(const Field<float>& line, int half) {
     for (int i = 0; i < n; ++i) {
         const auto from = std::size_t(std::max(0, i - half)),
                    to = std::size_t(std::min(n, i + half + 1));
-        // Beyond the ends they go on level.
+        // Beyond its ends the line continues level.
         const double before = std::max(0, half - i) * double(least[0]),
                      after = std::max(0, i + half + 1 - n) *
                              double(least[std::size_t(n - 1)]);
@@ -92,7 +94,7 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
             view.drawing.name(), name);
     camera_ = *camera;
     const CameraAxes axes(camera_);
-    ahead_ = texture::unit_of({axes.forward.x, axes.forward.y});
+    ahead_ = geometry::unit_of({axes.forward.x, axes.forward.y});
     right_ = {ahead_[1], -ahead_[0]};
     const double wide = std::tan(0.5 * camera_.field_of_view);
     const double high = wide * camera_.height / camera_.width;
@@ -126,12 +128,12 @@ Sight::Sight(const View& view, const std::string& name, Progress& progress) {
         for (std::size_t i = 1; i < path.points.size(); ++i) {
             const Point2 &a = path.points[i - 1], &b = path.points[i];
             const int parts =
-                std::clamp(int(std::ceil(texture::distance(a, b) / kShortest)), 1, 8192);
+                std::clamp(int(std::ceil(geometry::distance(a, b) / kShortest)), 1, 8192);
             if ((count += std::size_t(parts)) > kMostPoints)
                 throw bad_request("{}: '{}': its strokes are too long: draw on the page",
                                   view.drawing.name(), name);
             for (int k = 1; k <= parts; ++k)
-                add(texture::between(a, b, double(k) / parts));
+                add(geometry::between(a, b, double(k) / parts));
         }
     }
     double left = HUGE_VAL, right = -HUGE_VAL;
@@ -166,18 +168,18 @@ double Sight::at(const Field<float>& line, double azimuth) const {
 
 std::optional<double> Sight::height_over(const Point2& place) const {
     const auto azimuth = azimuth_of(place);
-    // The ends themselves are in.
+    // The ends themselves are included.
     const double margin = 1e-9 + 1e-6 * (line_.right - line_.left);
     if (!azimuth || *azimuth < line_.left - margin || *azimuth > line_.right + margin)
         return {};
-    return eye_height() + at(line_.values, *azimuth) * texture::distance(eye(), place);
+    return eye_height() + at(line_.values, *azimuth) * geometry::distance(eye(), place);
 }
 
 std::optional<double> Sight::height_below(const Point2& place, double metres) const {
     const auto azimuth = azimuth_of(place);
     if (!azimuth) return {};
-    const double distance = texture::distance(eye(), place);
-    // Between two lines, the stroke being the first.
+    const double distance = geometry::distance(eye(), place);
+    // Interpolated between two lines, of which the stroke is the first.
     const double values =
         metres / distance / (line_.right - line_.left) * (kValues - 1) / kNarrowest;
     const double level = std::clamp(std::log2(1.0 + values), 0.0, double(kBelow));
@@ -208,7 +210,7 @@ double Sight::row_of(double azimuth, double rise) const {
 double Sight::skyline_off(const Field<float>& land, const Field<float>& before,
                           double spacing, const std::vector<bool>& counts) const {
     const double pixel = pixel_side(camera_);
-    // Of the frame, and a little more.
+    // Within the frame, with a small margin.
     const double half = 1.5 * std::tan(0.5 * camera_.field_of_view);
     const double from = std::max(std::tan(line_.left), -half),
                  to = std::min(std::tan(line_.right), half);
@@ -267,8 +269,9 @@ std::optional<Landing> landing_of(const Field<float>& land, double spacing,
                    eye_height + ray.rise * (*span)[1], true};
 }
 
-std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sight& sight,
-                                            double step, const std::string& name) {
+std::optional<geometry::Shape> part_in_sight(const geometry::Shape& way,
+                                             const Sight& sight, double step,
+                                             const std::string& name) {
     const int count = std::max(2, int(std::ceil(way.length() / step)));
     std::vector<Point2> best, run;
     for (int i = 0; i <= count; ++i) {
@@ -278,7 +281,7 @@ std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sig
         if (!sight.height_over(p)) run.clear();
     }
     if (best.size() < 3) return {};
-    return texture::shape_through(std::move(best), name);
+    return geometry::shape_through(std::move(best), name);
 }
 
 }  // namespace cydonia::sketch

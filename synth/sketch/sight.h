@@ -12,22 +12,23 @@
 
 namespace cydonia::sketch {
 
-// A silhouette as its camera saw it (section 3.1): the lines of sight to it, from which
-// follows how high it stands over any place.
+// A silhouette as its camera saw it (section 3.1): the lines of sight to it, which give
+// its height above any position.
 class Sight {
   public:
-    // Says where the stroke folds back. Throws bad_request: no camera in the drawing,
-    // nothing drawn, no width.
+    // Says where the stroke folds back. Throws bad_request for a drawing without a camera
+    // and a stroke that is empty or has no width.
     Sight(const View& view, const std::string& name, Progress& progress);
 
-    // Metres, where the line of sight passes over a place; none beside the stroke.
+    // The height in metres at which the line of sight passes over a position; none beside
+    // the stroke.
     std::optional<double> height_over(const Point2& place) const;
-    // The same of a line below the stroke that has nothing narrower than so many metres
-    // there; beside the stroke it goes on as at its ends. None behind the camera.
+    // The same for a line below the stroke that has nothing narrower than so many metres
+    // there. Beside the stroke it continues level. None behind the camera.
     std::optional<double> height_below(const Point2& place, double metres) const;
 
-    // The lines of sight to the stroke's left and right end: a direction on the ground of
-    // length 1, and metres that it rises a metre.
+    // The lines of sight to the stroke's left and right end: a direction of length 1 on
+    // the ground, and its rise over run.
     struct Ray {
         Point2 direction;
         double rise;
@@ -36,14 +37,14 @@ class Sight {
     Point2 eye() const { return {camera_.eye.x, camera_.eye.y}; }
     double eye_height() const { return camera_.eye.z; }
 
-    // How far a landform's skyline is off the stroke, on average, pixels of a frame 1280
-    // wide. `counts` tells the samples that belong to it; of those not what was seen
-    // above the stroke before.
+    // The mean distance of a landform's skyline from the stroke, in pixels of a frame
+    // 1280 wide. `counts` tells which samples belong to the landform; those that were
+    // visible above the stroke before do not count.
     double skyline_off(const Field<float>& land, const Field<float>& before,
                        double spacing, const std::vector<bool>& counts) const;
 
   private:
-    // To the right of where the camera looks, radians; none behind it.
+    // The angle to the right of the camera's direction, radians; none behind the camera.
     std::optional<double> azimuth_of(const Point2& place) const;
     Ray ray_at(double azimuth, double rise) const;
     double row_of(double azimuth, double rise) const;  // pixels, upwards
@@ -53,12 +54,13 @@ class Sight {
     double at(const Field<float>& line, double azimuth) const;
 
     Line line_;  // rise by azimuth
-    // Below it, each without what is narrower than twice the one before.
+    // Lines below it, each of which has nothing narrower than twice the limit of the one
+    // before.
     std::vector<Field<float>> below_;
 };
 
-// Where a line of sight ends: on the land, or, over all of it, on the wall that stands on
-// the terrain's far edge. None where it does not come over the terrain.
+// Where a line of sight ends: on the land, or, if it passes over all of it, on a wall at
+// the terrain's far edge. None where it does not pass over the terrain.
 struct Landing {
     Point2 place;
     double height;
@@ -68,8 +70,9 @@ std::optional<Landing> landing_of(const Field<float>& land, double spacing,
                                   const Point2& eye, double eye_height,
                                   const Sight::Ray& ray);
 
-// The part of a way that lies under the stroke; none without any.
-std::optional<texture::Shape> part_in_sight(const texture::Shape& way, const Sight& sight,
-                                            double step, const std::string& name);
+// The part of a way that lies under the stroke, if there is any.
+std::optional<geometry::Shape> part_in_sight(const geometry::Shape& way,
+                                             const Sight& sight, double step,
+                                             const std::string& name);
 
 }  // namespace cydonia::sketch

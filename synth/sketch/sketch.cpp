@@ -18,8 +18,8 @@
 namespace cydonia::sketch {
 namespace {
 
-// The most that the land is off the silhouette, without the ends, where it goes over into
-// the land there was.
+// The largest distance of the land from the silhouette, except at the ends, where it
+// blends into the land before.
 double most_off(const Landform& landform, const Land& land) {
     constexpr int kEnds = 4;
     const int values = landform.silhouette.width();
@@ -30,8 +30,8 @@ double most_off(const Landform& landform, const Land& land) {
     return most;
 }
 
-// So that the stroke is the landform's skyline to the pixel: its crest lies in the lines
-// of sight, and what would be seen above them is taken off.
+// Makes the stroke the landform's skyline to the pixel: moves its crest into the lines of
+// sight and removes whatever would be visible above them.
 void keep_to(const Sight& sight, const Plan& plan,
              const std::vector<std::vector<Foot>>& feet, const Field<float>& before,
              Land& land) {
@@ -63,16 +63,17 @@ void keep_to(const Sight& sight, const Plan& plan,
                                      smoothstep(0.0, kEnds, std::min(begin, end));
                 height += float(crest * (*line - height));
             }
-            // The farther from the crest, the less of its teeth: they would be drawn out
-            // into furrows along the lines of sight.
+            // The crest's teeth fade with the distance from it; otherwise they would
+            // become long furrows along the lines of sight.
             const double away = std::max(0.0, double(foot.distance) - kFoot) * spacing;
             const auto line = sight.height_below(place, 0.5 * away);
             if (!line) continue;
-            // Land that stood above the line already may do so, but not rise.
+            // Land that was above the line before may stay, but not rise.
             const double most = std::max(*line, double(before[foot.index]));
             const double above = height - most;
             if (above <= 0.0) continue;
-            // As rough below the line as it was above, for it is seen from elsewhere too.
+            // The land keeps its roughness below the line, as it is seen from other
+            // directions, too.
             const double rise = land.heights[foot.index] - smooth[foot.index];
             const double lower = roughness *
                                  (1.0 - std::clamp(rise / roughness, -1.0, 1.0)) *
@@ -82,7 +83,7 @@ void keep_to(const Sight& sight, const Plan& plan,
     }
 }
 
-// A land that is made landform by landform.
+// Makes a land, landform by landform.
 class Making {
   public:
     Making(const Options& options, const Terrain& terrain, const Context& context)
@@ -123,14 +124,14 @@ class Making {
                                         covered(feet));
     }
 
-    void roughen_region(const Region& region) {
+    void roughen_region(const RoughRegion& region) {
         const double spacing = land_.ground.spacing;
         const int values = values_along(region.length.in(land_.ground.width), spacing);
         const NoiseLevels noise =
             noise_of(heights_of(region.noise, values, region.name, *context_.progress),
                      options_.levels, region.noise.mouse);
         int part = 0;
-        for (const texture::NamedShape& named :
+        for (const geometry::NamedShape& named :
              ways_of(region.name, region.way, land_, *context_.progress)) {
             if (named.shape.segments() < 3)
                 throw bad_request("region '{}' has no area: give its loop more points",
@@ -154,10 +155,10 @@ class Making {
             for (const Foot& foot : of_one) samples[foot.index] = true;
         return samples;
     }
-    // Before the feature is on the stack.
+    // To be called before the feature is added to the stack.
     void warn_of_hidden_ends(const Feature& feature, const Plan& plan) const {
         const double spacing = land_.ground.spacing;
-        const texture::Shape& shadow = plan.landforms[0].shadow;
+        const geometry::Shape& shadow = plan.landforms[0].shadow;
         for (const Point2& p : {shadow.points.front(), shadow.points.back()}) {
             const int x = std::clamp(int(p[0] / spacing), 0, land_.heights.width() - 1);
             const int y = std::clamp(int(land_.heights.height() - p[1] / spacing), 0,
@@ -190,7 +191,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
         progress.report(double(i + 1) / double(options.features.size()));
     }
     if (!options.regions.empty()) progress.step("sketch: regions");
-    for (const Region& region : options.regions) making.roughen_region(region);
+    for (const RoughRegion& region : options.regions) making.roughen_region(region);
     return std::move(making).done();
 }
 

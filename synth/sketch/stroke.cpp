@@ -11,26 +11,26 @@
 namespace cydonia::sketch {
 namespace {
 
-constexpr double kTolerance = 1e-4;          // of the page
-constexpr double kFold = 1.0 / 512;          // of the width: what a steady hand goes back
-constexpr std::size_t kMostCrossed = 20000;  // points of a way that is looked through
+constexpr double kTolerance = 1e-4;  // share of the page
+constexpr double kFold = 1.0 / 512;  // share of the width that a steady hand may go back
+constexpr std::size_t kMostCrossed = 20000;  // points of a way that is checked for loops
 
-// Of the lines a-b and c-d, where they cross.
+// Where the lines a-b and c-d cross, if they do.
 std::optional<Point2> crossing(const Point2& a, const Point2& b, const Point2& c,
                                const Point2& d) {
-    const Point2 u = texture::from_to(a, b), v = texture::from_to(c, d);
-    const double area = texture::cross(u, v);
+    const Point2 u = geometry::from_to(a, b), v = geometry::from_to(c, d);
+    const double area = geometry::cross(u, v);
     if (area == 0.0) return {};
-    const Point2 w = texture::from_to(a, c);
-    const double s = texture::cross(w, v) / area, t = texture::cross(w, u) / area;
+    const Point2 w = geometry::from_to(a, c);
+    const double s = geometry::cross(w, v) / area, t = geometry::cross(w, u) / area;
     if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return {};
-    return texture::between(a, b, s);
+    return geometry::between(a, b, s);
 }
 
 double length_of(const std::vector<Point2>& way, std::size_t from, std::size_t to) {
     double length = 0.0;
     for (std::size_t i = from; i < to; ++i)
-        length += texture::distance(way[i], way[i + 1]);
+        length += geometry::distance(way[i], way[i + 1]);
     return length;
 }
 
@@ -62,7 +62,7 @@ Line line_of(const std::vector<std::vector<Point2>>& strokes, int values) {
             }
         }
     }
-    // What no stroke is over: between its neighbours.
+    // Interpolates values without a stroke between their neighbours.
     int last = -1;
     for (int k = 0; k < values; ++k) {
         if (std::isnan(heights[std::size_t(k)])) continue;
@@ -119,7 +119,8 @@ int cut_loops(std::vector<Point2>& way) {
     const bool closed = way.size() > 2 && way.front() == way.back();
     if (way.size() > kMostCrossed) return 0;
     for (std::size_t i = 0; i + 2 < way.size(); ++i)
-        // From behind, so that the widest loop of a place goes first.
+        // From the end, so that the widest of several loops at one position is cut off
+        // first.
         for (std::size_t j = way.size() - 2; j > i + 1; --j) {
             const auto at = crossing(way[i], way[i + 1], way[j], way[j + 1]);
             if (!at) continue;

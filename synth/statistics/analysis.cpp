@@ -7,12 +7,12 @@
 #include "field/sampled.h"
 #include "synth/statistics/measures.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-// The region that more than half of a feature lies in; -1: none.
+// The region that holds more than half of a feature; -1: none does.
 int region_of(const Feature& feature, const Field<int>& regions, int count) {
-    // Only one can have more than half (Boyer and Moore 1991).
+    // Only one region can hold more than half: the majority vote of Boyer and Moore 1991.
     int region = -1;
     std::size_t lead = 0, own = 0;
     for (const std::uint32_t i : feature.samples) {
@@ -31,14 +31,15 @@ int region_of(const Feature& feature, const Field<int>& regions, int count) {
 std::vector<Analysis> analyses_of(const Terrain& terrain, const Field<int>& regions,
                                   int count) {
     const Measures measures = measures_of(terrain);
-    std::vector<std::vector<int>> homes;  // of each kind's features
+    std::vector<std::vector<int>> homes;  // regions of each kind's features
     for (const Measures::Kind& kind : measures.kinds) {
         std::vector<int>& home = homes.emplace_back();
         for (const Feature& feature : kind.features)
             home.push_back(region_of(feature, regions, count));
     }
     std::vector<Analysis> analyses(std::size_t(std::max(0, count)));
-    // One quantity after the other keeps its order whatever the threads do.
+    // Each quantity is handled by one thread, so that the order of its values is always
+    // the same.
     parallel_for(kQuantities, [&](int q) {
         std::vector<std::vector<float>> values(analyses.size());
         const auto quantity = Quantity(q);
@@ -79,4 +80,4 @@ Terrain at_level(const Terrain& terrain, double spacing) {
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -8,18 +8,18 @@
 #include "field/terrain.h"
 #include "synth/statistics/statistics.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
-// The quantities whose distributions make up a kind of land (section IV.3.2, and the
-// wishes of VII.8: density, directionality, spectrum, curvature).
+// The quantities whose distributions characterise a kind of land (Saunders 2006, section
+// IV.3.2, and from its wishes in VII.8 density, directionality, spectrum and curvature).
 enum class Quantity {
     kElevation,       // metres
     kSlope,           // degrees
     kCurvature,       // mean curvature, hollows positive (measures.cpp)
-    kRelief,          // metres from low to high in a window
-    kDirectionality,  // of a window's slopes: 0 all ways, 1 one way and back
-    kSpectrum,        // octaves of variance from one band of a window to the next coarser
-    kEdgeScale,       // metres, as all scales and lengths
+    kRelief,          // of a window, from its lowest to its highest point, metres
+    kDirectionality,  // of a window's slopes: 0: all directions, 1: one
+    kSpectrum,        // log2 of the ratio of variances of two successive bands
+    kEdgeScale,       // all scales and lengths are in metres
     kEdgeLength,
     kEdgeStrength,  // the detector's response
     kEdgeDensity,   // percent of a window's samples
@@ -44,21 +44,21 @@ inline constexpr std::array<std::string_view, kQuantities> kQuantityNames = {
     "valley strength", "valley density", "peak scale",   "peak strength",
     "peak density"};
 
-// Of a land at one level of detail.
+// The statistics of each quantity, for a land at one level of detail.
 using Analysis = std::array<Statistics, kQuantities>;
 
 Analysis analysis_of(const Terrain& terrain);
-// Of the samples where `inside` is not 0 (same shape). Slopes, windows and features are
-// the whole land's, so that the region's border is none; a feature counts where more than
-// half of it lies inside.
+// Of the samples where `inside`, which has the land's shape, is not 0. Slopes, windows
+// and features are computed on the whole land, so that the border of `inside` has no
+// effect on them. A feature counts if more than half of it lies inside.
 Analysis analysis_of(const Terrain& terrain, const Field<std::uint8_t>& inside);
-// The same of regions 0 to count - 1 at once; other samples belong to none.
+// The same for regions 0 to count - 1 at once. Samples with other numbers belong to none.
 std::vector<Analysis> analyses_of(const Terrain& terrain, const Field<int>& regions,
                                   int count);
 
-// The land with so many metres from sample to sample, its mean where that is more.
+// The land resampled to a spacing in metres; where that is coarser, samples are means.
 Terrain at_level(const Terrain& terrain, double spacing);
 
-inline constexpr int kAnalysisVersion = 2;  // raised when the same land gives other ones
+inline constexpr int kAnalysisVersion = 2;  // raised when the same land gives another one
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

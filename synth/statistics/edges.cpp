@@ -6,10 +6,10 @@
 
 #include "field/sample.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-constexpr float kFaintest = 0.01f;  // of slope: level land has none
+constexpr float kFaintest = 0.01f;  // slope, so that level land has no edges
 
 std::array<float, 2> gradient(const Field<float>& land, int x, int y) {
     const int w = land.width(), h = land.height();
@@ -19,7 +19,7 @@ std::array<float, 2> gradient(const Field<float>& land, int x, int y) {
             (land(x, y1) - land(x, y0)) / float(std::max(1, y1 - y0))};
 }
 
-// t^(1/2) |grad L|^2.
+// The edge detector's response, t^(1/2) |grad L|^2.
 void respond(const Scale& scale, Field<float>& power) {
     const Field<float>& land = scale.land;
     const int w = land.width(), h = land.height();
@@ -42,7 +42,7 @@ void respond(const Scale& scale, Field<float>& power) {
     });
 }
 
-// Whether the slope is steepest there along itself, at that scale.
+// Whether the slope is steepest there along its own direction, at that scale.
 bool is_steepest(const Scale& scale, const Field<float>& power, int x, int y) {
     const auto [gx, gy] = gradient(scale.land, x, y);
     const float length = std::sqrt(gx * gx + gy * gy);
@@ -59,7 +59,7 @@ std::vector<Feature> edges_of(const std::vector<Scale>& land, double spacing) {
     if (land.empty()) return {};
     const int w = land[0].land.width(), h = land[0].land.height();
     Found found(w, h);
-    std::array<Field<float>, 3> powers;  // of a scale and its neighbours
+    std::array<Field<float>, 3> powers;  // responses of a scale and of its two neighbours
     powers.fill(Field<float>(w, h));
     for (int k = 0; k < int(land.size()); ++k) {
         respond(land[std::size_t(k)], powers[std::size_t(k % 3)]);
@@ -82,4 +82,4 @@ std::vector<Feature> edges_of(const Field<float>& heights, double spacing) {
     return edges_of(scale_space(slopes), spacing);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -5,11 +5,11 @@
 
 #include "synth/statistics/scale_space.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-constexpr std::size_t kShortest = 5;  // samples
-constexpr float kJump = 1.5f;         // places among the scales
+constexpr std::size_t kShortest = 5;  // samples; fewer are noise
+constexpr float kJump = 1.5f;  // in scale between neighbours, steps of the scale space
 
 }  // namespace
 
@@ -45,4 +45,4 @@ std::vector<Feature> linked(const Found& found, double spacing) {
     return features;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

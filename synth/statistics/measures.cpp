@@ -9,17 +9,17 @@
 #include "synth/statistics/ridges.h"
 #include "synth/statistics/windowed.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-// Windows' radii in samples. A window for relief, directions and bands holds two waves of
-// the coarsest band; that for density several features.
+// Radii of windows in samples. A window for relief, directions and bands spans two waves
+// of the coarsest band, one for densities several features.
 constexpr int kRadius = 8, kWide = 16;
-// Curvatures, as change of slope from sample to sample, above this count by their
-// logarithm: a few cliffs would outweigh all other land in the higher moments.
+// Larger curvatures, given as the change of slope from sample to sample, count by their
+// logarithm; otherwise a few cliffs would outweigh all other land in the higher moments.
 constexpr float kCalm = 0.01f;
-// Windows as level as this have no direction and no spectrum.
+// Windows more level than this have no direction and no spectrum.
 constexpr float kLevel = 1e-8f;  // square of slope
 
 struct Surface {
@@ -66,10 +66,10 @@ Field<float> directionality(const Surface& surface) {
     return result;
 }
 
-// Section VII.8 asks for a more refined frequency analysis than comparing coefficients:
-// how much more variance a band holds than the next finer one. Bands are differences of
-// the scale space: below a deviation of 1, 1 to 2 and 2 to 4 samples. Coarser ones are
-// the business of coarser levels of detail.
+// Section VII.8 wishes for a finer frequency analysis than comparing coefficients. Here
+// it is how much more variance a band holds than the next finer one. Bands are
+// differences of the scale space, with deviations below 1, from 1 to 2 and from 2 to 4
+// samples. Coarser bands are left to coarser levels of detail.
 void add_spectrum(const Field<float>& land, const std::vector<Scale>& scales,
                   Measures& measures) {
     const Field<float>* before = &land;
@@ -114,7 +114,7 @@ Measures measures_of(const Terrain& terrain) {
     const int w = terrain.heights.width(), h = terrain.heights.height();
     Measures measures;
     if (terrain.heights.empty()) return measures;
-    // By the spacing, so that differences of samples are slopes.
+    // Heights are divided by the spacing, so that differences of samples are slopes.
     Field<float> land = terrain.heights;
     for (float& height : land) height = float(height / terrain.spacing);
     const std::vector<Scale> scales = scale_space(land);
@@ -148,4 +148,4 @@ Measures measures_of(const Terrain& terrain) {
     return measures;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

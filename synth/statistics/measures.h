@@ -7,12 +7,13 @@
 #include "synth/statistics/analysis.h"
 #include "synth/statistics/features.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
-// What of a land is told by numbers, sample by sample and feature by feature: what the
-// "studying" of a terrain sample leaves (Saunders 2006, section V.3.3.3).
+// The numbers that describe a land, for each sample and each feature: the result of
+// "studying" a terrain sample (Saunders 2006, section V.3.3.3).
 struct Measures {
-    // A number a sample, NaN where there is none. A quantity may have several.
+    // Fields with a number for each sample, or NaN where there is none. A quantity may
+    // have several fields.
     std::vector<std::pair<Quantity, Field<float>>> fields;
     struct Kind {
         std::vector<std::pair<Quantity, float Feature::*>> numbers;
@@ -22,4 +23,4 @@ struct Measures {
 };
 Measures measures_of(const Terrain& terrain);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

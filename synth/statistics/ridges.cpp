@@ -6,14 +6,15 @@
 
 #include "field/sample.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-// How much the slope changes over a ridge's own width: rounding and level land have none.
-constexpr float kFaintest = 0.01f;
+// The least change of slope over a ridge's own width, so that rounding and level land
+// make no ridges.
+constexpr float kFaintestRidge = 0.01f;
 
-// A scale's responses: `line` is positive on ridges and negative in valleys, `peak` is 0
-// where land is not a summit. Nothing on the outermost samples.
+// The responses of one scale. `line` is positive on ridges and negative in valleys;
+// `peak` is 0 where the land is not a summit. Both are 0 on the outermost samples.
 struct Responses {
     Field<float> line, peak;
 };
@@ -41,8 +42,8 @@ void respond(const Scale& scale, Responses& out) {
     });
 }
 
-// Whether land is highest there (sign 1), or lowest (-1), across the line, along the
-// direction of the larger principal curvature: Lp = 0 in between (Lindeberg 1998, section
+// Whether the land is highest there (sign 1) or lowest (-1) across the line, that is
+// along the direction of the larger principal curvature: Lp = 0 (Lindeberg 1998, section
 // 5).
 bool is_on_line(const Field<float>& land, float sign, int x, int y) {
     const float m = land(x, y);
@@ -53,24 +54,26 @@ bool is_on_line(const Field<float>& land, float sign, int x, int y) {
     const float apart = std::sqrt((xx - yy) * (xx - yy) + 4.0f * xy * xy);
     const float curvature = 0.5f * (xx + yy - sign * apart);
     if (!(sign * curvature < 0.0f)) return false;
-    // Its direction, from the row of the matrix that says more.
+    // That direction, from the row of the matrix that determines it better.
     float px = curvature - yy, py = xy;
     if (std::abs(xx - curvature) > std::abs(yy - curvature)) px = xy, py = curvature - xx;
     const float length = std::sqrt(px * px + py * py);
     if (!(length > 0.0f)) return false;
-    // One way for all, so that of two samples that are as high just one is on the line.
+    // All directions point the same way, so that of two equally high samples exactly one
+    // is on the line.
     const double way = (px < 0.0f || (px == 0.0f && py < 0.0f) ? -1.0 : 1.0) / length;
     const double dx = way * px, dy = way * py;
     return sign * m > sign * bilinear(land, x + dx, y + dy) &&
            sign * m >= sign * bilinear(land, x - dx, y - dy);
 }
 
-// Peaks of scale `k`: largest among the 26 neighbours in the plane and over scales.
+// Peaks of scale `k`: samples with the largest response among their 26 neighbours in the
+// plane and over scales.
 void find_peaks(const std::array<const Field<float>*, 3>& around, int k, double spacing,
                 std::vector<Feature>& peaks) {
     const Field<float>& own = *around[1];
     const double deviation = deviation_at(k);
-    const float faintest = float(kFaintest * kFaintest * deviation * deviation);
+    const float faintest = float(kFaintestRidge * kFaintestRidge * deviation * deviation);
     std::vector<std::vector<Feature>> rows(std::size_t(own.height()));
     parallel_for(std::max(0, own.height() - 2), 16, [&](int inner) {
         const int y = inner + 1;
@@ -83,7 +86,7 @@ void find_peaks(const std::array<const Field<float>*, 3>& around, int k, double 
                 for (int q = -1; q <= 1; ++q)
                     for (int p = -1; p <= 1; ++p) {
                         const float other = (*around[std::size_t(z)])(x + p, y + q);
-                        // Of equal ones the last.
+                        // Of equal responses the last counts.
                         const int order = 9 * (z - 1) + 3 * q + p;
                         if (order < 0 ? other > b : order > 0 && other >= b)
                             largest = false;
@@ -107,7 +110,7 @@ Ridges ridges_of(const std::vector<Scale>& land, double spacing) {
     if (land.empty()) return result;
     const int w = land[0].land.width(), h = land[0].land.height();
     Found ridges(w, h), valleys(w, h);
-    std::array<Responses, 3> responses;  // of a scale and its neighbours
+    std::array<Responses, 3> responses;  // of a scale and of its two neighbours
     responses.fill({Field<float>(w, h), Field<float>(w, h)});
     for (int k = 0; k < int(land.size()); ++k) {
         respond(land[std::size_t(k)], responses[std::size_t(k % 3)]);
@@ -119,7 +122,7 @@ Ridges ridges_of(const std::vector<Scale>& land, double spacing) {
         const auto crest = [&](float sign) {
             return [&, sign](int x, int y) { return is_on_line(scale.land, sign, x, y); };
         };
-        const float faintest = kFaintest * float(std::sqrt(scale.deviation));
+        const float faintest = kFaintestRidge * float(std::sqrt(scale.deviation));
         find_largest(finer.line, own.line, coarser.line, 1.0f, k - 1, faintest,
                      crest(1.0f), ridges);
         find_largest(finer.line, own.line, coarser.line, -1.0f, k - 1, faintest,
@@ -136,4 +139,4 @@ Ridges ridges_of(const Field<float>& heights, double spacing) {
     return ridges_of(scale_space(slopes), spacing);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -5,7 +5,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr double kFinest = 1.0, kCoarsest = 16.0, kStep = 1.4142135623730951;  // sqrt(2)
@@ -33,8 +33,9 @@ std::vector<float> gaussian(double deviation) {
 
 namespace {
 
-// sum[x] += the middle of the weights at line[0][x], and each other one at both lines
-// that are so far from it. Two at a time: the sums are read and written half as often.
+// Adds to sum[x] the middle weight times line[0][x], and each other weight times both
+// lines at its distance. Two weights at a time, so that sums are read and written half as
+// often.
 template <class Line>
 void weigh(const std::vector<float>& weights, int n, const Line& line, float* sum) {
     const int radius = int(weights.size()) / 2;
@@ -59,7 +60,8 @@ Field<float> blurred(const Field<float>& field, double deviation) {
     const std::vector<float> weights = gaussian(deviation);
     const int radius = int(weights.size()) / 2, w = field.width(), h = field.height();
     Field<float> result(w, h);
-    // Row by row, down the columns first: the rows that are read stay at hand.
+    // Columns are blurred first, row by row, so that the rows that are read stay in the
+    // cache.
     parallel_for((h + 15) / 16, [&](int block) {
         std::vector<float> wide(std::size_t(w + 2 * radius));
         for (int y = 16 * block; y < std::min(h, 16 * block + 16); ++y) {
@@ -85,8 +87,8 @@ std::vector<Scale> scale_space(const Field<float>& field) {
     const double coarsest =
         std::min(kCoarsest, std::min(field.width(), field.height()) / 8.0);
     for (double deviation = kFinest; deviation <= coarsest * 1.01; deviation *= kStep) {
-        // Blurs add up by their variances, so that each may begin where the last ended:
-        // with weights that are narrower by a factor of sqrt(2).
+        // The variances of successive blurs add up, so each scale is made from the one
+        // before, with weights that are narrower by a factor of sqrt(2).
         const double before = scales.empty() ? 0.0 : scales.back().deviation;
         const double more = std::sqrt(deviation * deviation - before * before);
         scales.push_back(
@@ -95,4 +97,4 @@ std::vector<Scale> scale_space(const Field<float>& field) {
     return scales;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

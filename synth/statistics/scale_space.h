@@ -4,23 +4,23 @@
 
 #include "field/field.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
-// A field as it is when seen so blurred.
+// A field blurred by a Gaussian.
 struct Scale {
     double deviation;   // samples; its square is t
     Field<float> land;  // L
 };
 
-// The cube of Saunders 2006, section III.3.2.2, step 1, that all detectors share: from a
-// deviation of one sample on, each sqrt(2) times as blurred as the one before, so that t
-// doubles; up to 16 samples or an eighth of the shorter side.
+// The cube of Saunders 2006, section III.3.2.2, step 1, which all detectors share.
+// Deviations start at one sample and grow by sqrt(2), so that t doubles, up to 16 samples
+// or an eighth of the shorter side.
 std::vector<Scale> scale_space(const Field<float>& field);
 
-// The deviation, in samples, at a place among the scales; between two of them a fraction.
+// The deviation in samples at a position among the scales, which may lie between two.
 double deviation_at(double place);
 
-// Mirrored beyond the sides. `deviation` in samples.
+// The field blurred by a deviation in samples. It is mirrored beyond its sides.
 Field<float> blurred(const Field<float>& field, double deviation);
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -5,11 +5,12 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr int kPasses = 8;
-constexpr double kVote = 1.0;  // of all neighbours together, against a block's own window
+constexpr double kVote =
+    1.0;  // weight of all neighbours together; a block's own window has 1
 
 bool has_window(const Analysis& analysis) {
     return analysis[std::size_t(Quantity::kElevation)].count > 0;
@@ -82,7 +83,7 @@ Field<int> sample_types(const Field<int>& blocks, int width, int height) {
             const double u =
                 std::clamp((x + 0.5) / kBlock - 0.5, 0.0, blocks.width() - 1.0);
             const int i = int(u), i1 = std::min(i + 1, blocks.width() - 1);
-            // The one of the four blocks about it that weighs most, with its equals.
+            // The type with the most weight among the four blocks around the sample.
             const std::array<int, 4> type = {blocks(i, j), blocks(i1, j), blocks(i, j1),
                                              blocks(i1, j1)};
             const double a = u - i, b = v - j;
@@ -103,7 +104,8 @@ Field<int> sample_types(const Field<int>& blocks, int width, int height) {
 Rectangle largest_rectangle(const Field<int>& types, int type) {
     Rectangle best;
     const int w = types.width();
-    // Of each column how far up the type goes; below a stack of rising heights.
+    // `up` is how far up the type reaches in each column; `open` is a stack of columns of
+    // increasing height.
     std::vector<int> up(std::size_t(w + 1), 0);
     for (int y = 0; y < types.height(); ++y) {
         std::vector<int> open;
@@ -123,4 +125,4 @@ Rectangle largest_rectangle(const Field<int>& types, int type) {
     return best;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

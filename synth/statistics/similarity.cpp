@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-// Of references that are equal: what rounding makes of them.
-constexpr double kLeast = 1e-6;
+// The least deviation, for references that are equal but for rounding.
+constexpr double kLeastDeviation = 1e-6;
 
 std::array<double, 4> values_of(const Statistics& s) {
     return {s.mean, s.deviation, s.skewness, s.kurtosis};
 }
 
-// Edges, ridges, valleys and peaks tell of one thing, where land bends and how often: of
-// the same weight together as each other quantity, or they would drown it.
+// Edges, ridges, valleys and peaks all describe where and how often land bends. Together
+// they have the weight of one other quantity, so that they do not dominate.
 double weight_of(int quantity) {
     return quantity < int(Quantity::kEdgeScale) ? 1.0 : 0.25;
 }
@@ -41,7 +41,7 @@ Curve curve_of(const std::vector<double>& references) {
                                           std::sqrt(-2.0 * std::log(kBaseline)));
     if (references.size() > 1)
         curve.deviation =
-            std::max(curve.deviation, kLeast * std::abs(curve.mean) + 1e-12);
+            std::max(curve.deviation, kLeastDeviation * std::abs(curve.mean) + 1e-12);
     return curve;
 }
 
@@ -63,8 +63,9 @@ Library::Library(std::vector<Type> types) : types_(std::move(types)) {
                 if (own.size() > 1) sum += curve.deviation, ++known;
             }
             whole_[quantity][s] = curve_of(all);
-            // One example says nothing of how far others may be off: as far as those of
-            // other types are on average; a quarter of the library's where none tells.
+            // A single example does not show how much examples of its type vary. It is
+            // given the mean deviation of the other types, or a quarter of the library's
+            // where they have none.
             const double usual =
                 known > 0 ? sum / known : 0.25 * whole_[quantity][s].deviation;
             for (Curves& curves : curves_)
@@ -79,7 +80,7 @@ std::array<double, Library::kStatistics> Library::agreements(std::size_t type,
     for (std::size_t s = 0; s < kStatistics; ++s) {
         const double own = curves_[type][std::size_t(quantity)][s].deviation,
                      whole = whole_[std::size_t(quantity)][s].deviation;
-        // Eq. IV.8.
+        // The similarity by eq. IV.8.
         all[s] = whole > 0.0 ? std::max(0.0, 1.0 - own * own / (whole * whole)) : 0.0;
     }
     return all;
@@ -121,4 +122,4 @@ Library Library::with(std::size_t type, const Analysis& land) const {
     return Library(std::move(types));
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

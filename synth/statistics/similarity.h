@@ -6,10 +6,10 @@
 
 #include "synth/statistics/analysis.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
-// Gaussian curve projection (section IV.3.2.2): 1 at the mean of the references, and at
-// least kBaseline at each of them.
+// Gaussian curve projection (Saunders 2006, section IV.3.2.2): 1 at the mean of the
+// references, and at least kBaseline at each of them.
 inline constexpr double kBaseline = 0.9;
 struct Curve {
     double mean = 0.0, deviation = 0.0;
@@ -17,7 +17,7 @@ struct Curve {
 };
 Curve curve_of(const std::vector<double>& references);  // eq. IV.6
 
-// How like a land's distribution is to a type's, and how far that can be trusted.
+// How similar a land's distribution is to a type's, and how reliable that is.
 struct Likeness {
     double similarity = 0.0;  // 0 to 1
     double agreement = 0.0;   // 0 to 1
@@ -29,20 +29,21 @@ struct Type {
     std::array<std::uint8_t, 3> colour{};
 };
 
-// Types of land by their examples, all at one level of detail.
+// Types of land described by examples, all at one level of detail.
 class Library {
   public:
-    // Types without examples are like nothing.
+    // Nothing is similar to a type without examples.
     explicit Library(std::vector<Type> types);
 
     const std::vector<Type>& types() const { return types_; }
-    // Of one quantity (eq. IV.7 to IV.10).
+    // The likeness of a land to a type in one quantity (eq. IV.7 to IV.10).
     Likeness likeness(std::size_t type, Quantity quantity, const Analysis& land) const;
-    // Of all of them (eq. IV.11 and IV.12), those of features together as one weighs.
+    // The similarity in all quantities (eq. IV.11 and IV.12). Those of features have the
+    // weight of one quantity together.
     double similarity(std::size_t type, const Analysis& land) const;
-    // Distribution agreement (eq. IV.10) of a type's examples.
+    // The distribution agreement (eq. IV.10) of a type's examples.
     double agreement(std::size_t type, Quantity quantity) const;
-    // The same with one more example.
+    // This library with one more example.
     Library with(std::size_t type, const Analysis& land) const;
 
   private:
@@ -56,4 +57,4 @@ class Library {
     Curves whole_;  // of all examples of all types
 };
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
 namespace {
 
-// Of central moments (eq. III.6).
+// Statistics from central moments (eq. III.6).
 Statistics of_moments(double n, double mean, double m2, double m3, double m4) {
     Statistics s{std::size_t(n), mean, std::sqrt(m2)};
-    // Values that are equal but for rounding have no shape.
+    // Values that are equal but for rounding have no skewness and no kurtosis.
     if (n < 4.0 || !(s.deviation > 1e-9 * std::abs(s.mean) + 1e-30)) return s;
-    // Eq. III.5.
+    // The k-statistics, eq. III.5.
     const double k2 = n / (n - 1.0) * m2;
     const double k3 = n * n / ((n - 1.0) * (n - 2.0)) * m3;
     const double k4 = n * n * ((n + 1.0) * m4 - 3.0 * (n - 1.0) * m2 * m2) /
@@ -45,11 +45,11 @@ Moments& Moments::operator+=(const Moments& other) {
 
 Statistics Moments::statistics(double about) const {
     if (!(n_ > 0.0)) return {};
-    // From moments about a number to central ones.
+    // Central moments from those about a number.
     const double d = s1_ / n_, p2 = s2_ / n_, p3 = s3_ / n_, p4 = s4_ / n_;
     const double m2 = std::max(0.0, p2 - d * d), m3 = p3 - 3.0 * d * p2 + 2.0 * d * d * d,
                  m4 = p4 - 4.0 * d * p3 + 6.0 * d * d * p2 - 3.0 * d * d * d * d;
     return of_moments(n_, about + d, m2, m3, m4);
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

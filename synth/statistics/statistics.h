@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <span>
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 
-// What tells distributions apart (Saunders 2006, section III.3.3).
+// Statistics that tell distributions apart (Saunders 2006, section III.3.3).
 struct Statistics {
     std::size_t count = 0;
     double mean = 0.0;
@@ -14,11 +14,12 @@ struct Statistics {
     double kurtosis = 0.0;   // excess (eq. III.7)
 };
 
-// Of fewer than four values, or of equal ones, some are 0.
+// For fewer than four values, or for equal ones, some of the statistics are 0.
 Statistics statistics_of(std::span<const float> values);
 
-// The same of numbers that come one by one and are added up in parts: a window's are the
-// sum of its blocks'. `about` a number near their mean, the same for all that are added.
+// Accumulates the same statistics. Moments can be added, so that those of a window are
+// the sum of those of its blocks. `about` is a number near the mean, the same for all
+// values and all parts.
 class Moments {
   public:
     void add(double value, double about) {
@@ -32,4 +33,4 @@ class Moments {
     double n_ = 0.0, s1_ = 0.0, s2_ = 0.0, s3_ = 0.0, s4_ = 0.0;
 };
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -6,13 +6,14 @@
 
 #include "synth/statistics/windowed.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-constexpr std::size_t kLeast = 200;  // samples of one height
-constexpr std::size_t kBroad = 64;   // of them amid others of that height
-constexpr int kRadius = 2;           // samples: what amid means
-constexpr float kLevel = 1e-3f;      // metres: what warping leaves of one height
+constexpr std::size_t kLeastSamples = 200;  // samples of one height in a body of water
+constexpr std::size_t kBroad = 64;   // of them whose surroundings have that height, too
+constexpr int kRadius = 2;           // samples: how far the surroundings reach
+constexpr float kLevel =
+    1e-3f;  // metres: the difference that warping leaves within one height
 
 }  // namespace
 
@@ -21,7 +22,7 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
     Field<std::uint8_t> water(w, h);
     const Field<float> low = window_low(heights, kRadius),
                        high = window_high(heights, kRadius);
-    // At the sides nobody knows how broad a band is.
+    // At the land's sides it is not known how broad a level band is.
     const auto amid = [&](std::size_t i) {
         const int x = int(i % std::size_t(w)), y = int(i / std::size_t(w));
         return high[i] - low[i] <= kLevel && x >= kRadius && y >= kRadius &&
@@ -31,7 +32,9 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
     std::vector<std::size_t> area;
     for (std::size_t start = 0; start < heights.size(); ++start) {
         if (seen[start] || !amid(start)) continue;
-        // From a sample amid others, so that of land few are visited.
+        // Fills from samples with level surroundings only, so that little dry land is
+        // visited. Heights are compared with that of the first sample, which OpenCV's
+        // connectedComponents cannot do.
         area.assign(1, start);
         seen[start] = true;
         std::size_t broad = 0;
@@ -49,7 +52,7 @@ Field<std::uint8_t> water_of(const Field<float>& heights) {
             if (y > 0) visit(i - std::size_t(w));
             if (y + 1 < h) visit(i + std::size_t(w));
         }
-        if (area.size() >= kLeast && broad >= kBroad)
+        if (area.size() >= kLeastSamples && broad >= kBroad)
             for (const std::size_t i : area) water[i] = 1;
     }
     return water;
@@ -81,4 +84,4 @@ Field<std::uint8_t> touched(const Field<std::uint8_t>& mask, double cell, int wi
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

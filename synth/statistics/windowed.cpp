@@ -7,7 +7,7 @@
 
 #include "field/parallel.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr int kStrip = 64;  // columns at a time
@@ -19,8 +19,8 @@ void for_strips(int width, const Body& body) {
     });
 }
 
-// The largest of each window along a line, after van Herk 1992: the line is cut into
-// pieces of a window's length, and a window over two of them is the end of one and the
+// The largest value in each window along a line (van Herk 1992). The line is divided into
+// pieces as long as a window, so that each window is the end of one piece and the
 // beginning of the next.
 class Largest {
   public:
@@ -62,7 +62,8 @@ Field<float> largest(const Field<float>& field, int radius, float sign) {
             for (int x = 0; x < w; ++x) result(x, y) = line.about(x);
         }
     });
-    // Down the columns the same, a strip of them side by side: rows are what memory has.
+    // The same down the columns, a strip of neighbouring columns at a time, because
+    // memory is laid out in rows.
     const int size = 2 * radius + 1, length = h + 2 * size;
     for_strips(w, [&](int x0, int x1) {
         const auto n = std::size_t(x1 - x0);
@@ -101,9 +102,8 @@ int overlap(int i, int radius, int n) {
     return std::min(n - 1, i + radius) - std::max(0, i - radius) + 1;
 }
 
-// Sums of value(x, y) over windows that slide, first along rows, then down columns
-// (section V.4.3), in doubles: what comes in and goes out is of the window's own size.
-// visit(x, y, mean).
+// Calls visit(x, y, mean) with the mean of value(x, y) over the window around each
+// sample. Sums slide along rows first, then down columns (section V.4.3), in doubles.
 template <class Value, class Visit>
 void window_means(int w, int h, int radius, const Value& value, const Visit& visit) {
     Field<double> rows(w, h);
@@ -158,7 +158,7 @@ Windowed windowed(const Terrain& terrain, int radius) {
     Windowed result;
     if (h.empty()) return result;
     result.low = window_low(h, radius), result.high = window_high(h, radius);
-    // About the land's own height: squares of what is left lose nothing by rounding.
+    // Relative to the land's own height, so that squares lose nothing by rounding.
     double middle = 0.0;
     for (const float value : h) middle += value / double(h.size());
     Field<double> means(width, height);
@@ -197,4 +197,4 @@ Windowed windowed(const Terrain& terrain, int radius) {
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

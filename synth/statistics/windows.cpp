@@ -6,12 +6,12 @@
 #include "field/parallel.h"
 #include "synth/statistics/measures.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
-constexpr double kEnough = 0.4;  // of a window
+constexpr double kEnough = 0.4;  // share of a window that must be inside
 
-// Calls visit(sample, number) for all numbers of a quantity.
+// Calls visit(sample, number) for each number of each quantity.
 template <class Visit>
 void for_numbers(const Measures& measures, Quantity quantity, const Visit& visit) {
     for (const auto& [its, field] : measures.fields)
@@ -56,7 +56,7 @@ Field<Analysis> window_analyses(const Terrain& terrain,
                 result(x, y)[std::size_t(q)] = sum.statistics(about);
             }
     });
-    // At the sides and corners windows are cut: half of one is enough there.
+    // At sides and corners windows are cut, and a share of what is left is enough.
     for (Analysis& analysis : result)
         if (double(analysis[std::size_t(Quantity::kElevation)].count) <
             kEnough * kBlock * kBlock * kBlocks * (kBlocks / 2 + 1))
@@ -64,4 +64,4 @@ Field<Analysis> window_analyses(const Terrain& terrain,
     return result;
 }
 
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

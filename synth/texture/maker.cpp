@@ -8,13 +8,17 @@
 #include "field/sampled.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-// Spacings that differ by less are one: land is not resampled for a hundredth.
+// Spacings whose ratio differs from 1 by less are treated as equal, so that land is not
+// resampled.
 constexpr double kSameSpacing = 0.01;
 
-// The exemplars' cells, halved in number as often as they stay as fine as the samples: so
-// the same extent with fewer samples is the same land, left at a coarser level.
+// The coarsest level whose cells are still as fine as the samples. So the same extent
+// with fewer samples is the same land, stopped at a coarser level.
 int finest_level(const Database& database, double spacing) {
     const int most = static_cast<int>(database.levels.size()) - 1;
     const double steps = std::log2(spacing / database.spacing * (1.0 + kSameSpacing));
@@ -31,8 +35,8 @@ Controls controls_of(const Options& options, std::uint64_t seed, int finest) {
             .finest = finest};
 }
 
-// Land as it would be without constraints, for heights that are relative to it: two
-// levels coarser, where its shape is settled.
+// The land as it would be without constraints, for heights that are relative to it. It is
+// made two levels coarser, where its shape is already settled.
 class Natural {
   public:
     Natural(const Database& database, Controls controls, const Ground& ground,
@@ -78,8 +82,9 @@ Maker::Maker(const Options& options, const Extent& extent, const Context& contex
     }
     if (ratio_ < 1.0)
         progress_.warn(fmt::format(
-            "texture: the exemplars' cells are {:.4g} m and the terrain's {:.4g} m: land "
-            "has no detail finer than its exemplars; let samples be {} or scale {:.3g}",
+            "texture: the exemplars' cells are {:.4g} m and the terrain's {:.4g} m: the "
+            "land has no detail finer than its exemplars; set samples to {} or scale to "
+            "{:.3g}",
             database_->spacing, extent.spacing,
             std::lround(std::max(extent.columns, extent.rows) * ratio_), ratio_));
 
@@ -110,17 +115,17 @@ Maker::Maker(const Options& options, const Extent& extent, const Context& contex
             return passes;
         });
     if (!pasting_->empty())
-        guidance_.kept = [this](const Window& window, int pass) {
-            Kept kept;
-            pasting_->lay_down(window, pass, kept);
-            return kept;
+        guidance_.pinned = [this](const Window& window, int pass) {
+            PinnedRegion pinned;
+            pasting_->lay_down(window, pass, pinned);
+            return pinned;
         };
 }
 
 Window Maker::window_of(int x, int y, int width, int height) const {
     Window window{controls_.finest, x, y, width, height};
     if (ratio_ != 1.0) {
-        // Cubic weights reach two cells, stretched over those of a sample.
+        // Cubic weights reach two cells, or two samples where those are wider.
         const int halo = 2 * static_cast<int>(std::ceil(std::max(1.0, ratio_))) + 1;
         const auto from = [&](int at) {
             return static_cast<int>(std::floor(at * ratio_)) - halo;

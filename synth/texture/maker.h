@@ -13,33 +13,35 @@
 
 namespace cydonia::texture {
 
-// All that a terrain is made from, ready to make any part of it.
+// Everything that a terrain is made from: the exemplars' database, the constraints and
+// the pastes. It can make any part of the terrain.
 class Maker {
   public:
     Maker(const Options& options, const Extent& extent, const Context& context);
 
-    // Heights of those samples, metres: the synthesis' own cells, or cubic between them.
+    // Heights of those samples in metres. Where samples are not the synthesis' own cells,
+    // they are interpolated with a cubic.
     Field<float> heights(const Synthesis& synthesis, int x, int y, int width,
                          int height) const;
 
     const Database& database() const { return *database_; }
     const Geometry& geometry() const { return *geometry_; }
-    const Ground& ground() const { return ground_; }
+    const geometry::Ground& ground() const { return ground_; }
     const Controls& controls() const { return controls_; }
-    // The column or row of the finest level that a sample's middle lies in.
+    // The column or row of the finest level in which a sample's centre lies.
     int cell_of(int sample) const { return static_cast<int>((sample + 0.5) * ratio_); }
     int levels() const { return static_cast<int>(database_->levels.size()); }
-    // What points, curves, types and pastes ask for.
+    // What points, curves, types and pastes ask of the synthesis.
     const Guidance& guidance() const { return guidance_; }
 
-    // Of the finest level under a rectangle of samples, with what their heights need.
+    // The window of the finest level that the heights of a rectangle of samples need.
     Window window_of(int x, int y, int width, int height) const;
 
   private:
     Extent extent_;
     Progress& progress_;
     std::shared_ptr<const Database> database_;
-    Ground ground_;
+    geometry::Ground ground_;
     Controls controls_;
     double ratio_ = 1.0;  // samples to cells of the finest level
     std::unique_ptr<TypeMap> types_;

@@ -8,13 +8,13 @@
 #include "synth/hydrology/depressions.h"
 #include "synth/texture/constraints/constraint_errors.h"
 #include "synth/texture/database/types.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/patches.h"
-#include "synth/texture/synthesis/places.h"
 
 namespace cydonia::texture {
 namespace {
 
-// Cells whose height no exemplar has (docs/papers.md, Gain 6).
+// 1 at cells whose height is outside the exemplars' range (docs/papers.md, Gain 2015, 6).
 Field<float> outside_range(const Field<float>& heights, const Database& database) {
     Field<float> outside(heights.width(), heights.height());
     for (std::size_t i = 0; i < heights.size(); ++i)
@@ -29,16 +29,18 @@ double share(const Field<float>& mask) {
     return sum / static_cast<double>(mask.size());
 }
 
-// Of the exemplar's ground that a cell came from: an index, or kNoType.
+// The type of the exemplar's cell that a cell came from: an index in Options::types, or
+// kNoType.
 std::uint8_t type_at(const Maker& maker, const Synthesis& land, int x, int y) {
     const Window& w = land.window;
     const Level& level = maker.database().levels[std::size_t(w.level)];
-    const Spot spot = spot_of(land.places(x, y));
+    const Spot spot = spot_of(land.origins(x, y));
     const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
     return level.types[sheet.index(spot.x >> (w.level + 1), spot.y >> (w.level + 1))];
 }
 
-// Where the land has each type, for looks, things and passes: "type-walls", 0 or 1.
+// Adds a mask for each type, such as "type-walls", with 1 where the land is of that type.
+// Looks, things and passes use them.
 void add_type_masks(const Options& options, const Maker& maker, const Synthesis& land,
                     Terrain& terrain) {
     std::vector<Field<float>*> masks;
@@ -53,7 +55,8 @@ void add_type_masks(const Options& options, const Maker& maker, const Synthesis&
     });
 }
 
-// Of the cells that a type is asked of, those that have it; 1 where none is asked.
+// The share of the cells with a requested type that have it; 1 where no type is
+// requested.
 double typed_share(const Maker& maker, const Synthesis& land) {
     const Window& w = land.window;
     Window guided = w;
@@ -95,24 +98,24 @@ void report(const Options& options, const Maker& maker, const Synthesis& land,
     figures["texture: outside the exemplars' heights, share"] = share(outside);
 
     const PatchFigures patches =
-        patch_figures(maker.database(), land.places, land.window.level);
+        patch_figures(maker.database(), land.origins, land.window.level);
     figures["texture: patches"] = patches.patches;
     figures["texture: patch size, typical, cells"] = double(patches.typical);
     figures["texture: patch size, largest, cells"] = double(patches.largest);
     figures["texture: coherent cells, share"] = patches.coherent;
     figures["texture: exemplars' blocks used, share"] = patches.used;
     terrain.pictures["sources"] =
-        source_map(maker.database(), land.places, land.window.level);
+        source_map(maker.database(), land.origins, land.window.level);
 
     if (!options.types.empty()) add_type_masks(options, maker, land, terrain);
     if (!maker.geometry().empty()) report_constraints(maker, terrain);
     if (maker.guidance().types)
         figures["texture: cells of the asked type, share"] = typed_share(maker, land);
 
-    Depressions ends = depressions_of(terrain.heights);
+    hydrology::Depressions ends = hydrology::depressions_of(terrain.heights);
     figures["texture: channels that end nowhere"] = ends.count;
     figures["texture: deepest of them, m"] = ends.deepest;
-    figures["texture: pits per 1000"] = pits_per_1000(terrain.heights);
+    figures["texture: pits per 1000"] = hydrology::pits_per_1000(terrain.heights);
     if (!options.breach && ends.count > 0)
         context.progress->note(fmt::format(
             "texture: {} channels end nowhere, the deepest in {:.1f} m of water "

@@ -8,9 +8,9 @@
 
 namespace cydonia::texture {
 
-// Sets down in the terrain what its synthesis was worth: errors at points and curves, the
-// share of the asked types, patches and where they are from, heights that no exemplar
-// has, channels that end nowhere.
+// Adds to the terrain figures, masks and pictures that judge its synthesis: errors at
+// points and curves, the share of cells that have the requested type, patches and where
+// they come from, heights outside the exemplars' range, and channels that end nowhere.
 void report(const Options& options, const Maker& maker, const Synthesis& land,
             Terrain& terrain, const Context& context);
 

@@ -10,20 +10,20 @@
 #include "synth/texture/maker.h"
 #include "synth/texture/report.h"
 #include "synth/texture/synthesis/keeping.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 namespace {
 
-// Frozen cells of the finest level under a terrain.
-std::optional<Region> frozen_region(const Options& options, const Maker& maker) {
+// The frozen cells, from the finest level on.
+std::optional<CellSet> frozen_region(const Options& options, const Maker& maker) {
     if (!options.frozen) return std::nullopt;
     const double cell = maker.ground().spacing * (1 << maker.controls().finest);
     const Window window{maker.controls().finest, 0, 0,
                         static_cast<int>(std::ceil(maker.ground().width / cell)),
                         static_cast<int>(std::ceil(maker.ground().depth / cell))};
     const Field<float> white = read_grey_at(*options.frozen, window.width, window.height);
-    // Beyond the terrain the land that its border was made with stays too.
+    // The land around the terrain that its border depends on is frozen, too.
     const Window all = window.grown(2 * kReadOut);
     Field<std::uint8_t> inside(all.width, all.height);
     for (int y = 0; y < all.height; ++y)
@@ -31,16 +31,17 @@ std::optional<Region> frozen_region(const Options& options, const Maker& maker) 
             inside(x, y) =
                 white(std::clamp(x - 2 * kReadOut, 0, window.width - 1),
                       std::clamp(y - 2 * kReadOut, 0, window.height - 1)) >= 0.5f;
-    return region_of(all, std::move(inside), maker.levels() - maker.controls().finest);
+    return cell_set_of(all, std::move(inside), maker.levels() - maker.controls().finest);
 }
 
-// Whether every place is on an exemplar: a checksum tells accidents only.
+// Whether every origin lies on an exemplar. The file's checksum guards against accidents
+// only.
 bool all_on_exemplars(const Run& run, const Database& database) {
     for (std::size_t level = 0; level < run.passes.size(); ++level) {
         if (level >= database.levels.size()) return false;
         const auto& sheets = database.levels[level].sheets;
         for (const Synthesis& pass : run.passes[level])
-            for (const Place& place : pass.places) {
+            for (const Origin& place : pass.origins) {
                 const Spot spot = spot_of(place);
                 if (std::size_t(spot.exemplar) >= sheets.size()) return false;
                 const Sheet& sheet = sheets[std::size_t(spot.exemplar)];
@@ -51,7 +52,7 @@ bool all_on_exemplars(const Run& run, const Database& database) {
     return true;
 }
 
-// The last run, where its places are those of the same exemplars.
+// The last run, if it used the same exemplars.
 std::optional<Run> last_run(const Context& context, const Database& exemplars,
                             std::uint64_t database) {
     if (!context.memory) return std::nullopt;
@@ -59,29 +60,30 @@ std::optional<Run> last_run(const Context& context, const Database& exemplars,
     if (!last) return std::nullopt;
     if (last->database == database && all_on_exemplars(*last, exemplars)) return last;
     context.progress->note(
-        "texture: the exemplars are others than in the last run: nothing is kept of it");
+        "texture: the exemplars have changed since the last run: nothing is kept of it");
     return std::nullopt;
 }
 
 Synthesis coherent_synthesis(const Options& options, const Maker& maker,
-                             const std::optional<Region>& frozen, const Context& context,
+                             const std::optional<CellSet>& frozen, const Context& context,
                              const Window& window) {
     const std::uint64_t database = database_key(options);
     Keeping keeping(maker.guidance(), last_run(context, maker.database(), database),
                     frozen, maker.controls(), maker.levels());
     Guidance guidance = maker.guidance();
-    guidance.kept = [&](const Window& w, int pass) { return keeping.kept(w, pass); };
+    guidance.pinned = [&](const Window& w, int pass) { return keeping.pinned(w, pass); };
     Synthesis land = synthesised(maker.database(), maker.controls(), guidance, window,
                                  &keeping.passes(), *context.progress);
     if (context.memory) store_run(context.memory->next, keeping.finished(database));
     return land;
 }
 
-// Samples of land that stays as it is: frozen or pasted.
+// 1 at samples whose heights may not change, as they are frozen or pasted.
 Field<std::uint8_t> locked_samples(const Maker& maker,
-                                   const std::optional<Region>& frozen,
+                                   const std::optional<CellSet>& frozen,
                                    const Window& window, int width, int height) {
-    const Kept pasted = maker.guidance().kept ? maker.guidance().kept(window, 0) : Kept{};
+    const PinnedRegion pasted =
+        maker.guidance().pinned ? maker.guidance().pinned(window, 0) : PinnedRegion{};
     Field<std::uint8_t> locked(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -97,7 +99,8 @@ Field<std::uint8_t> locked_samples(const Maker& maker,
 void let_out(Terrain& terrain, const Field<std::uint8_t>& locked,
              const Context& context) {
     context.progress->step("texture: channels that end nowhere");
-    const Breached breached = breach(terrain.heights, terrain.spacing, locked);
+    const hydrology::Breached breached =
+        hydrology::breach(terrain.heights, terrain.spacing, locked);
     terrain.figures["texture: channels let out"] = breached.cut;
     terrain.figures["texture: deepest cut, m"] = breached.deepest;
 }
@@ -108,7 +111,7 @@ Terrain run(const Options& options, const Terrain& terrain, const Context& conte
     const int width = terrain.heights.width(), height = terrain.heights.height();
     const Maker maker(options, {width, height, terrain.spacing}, context);
 
-    const std::optional<Region> frozen = frozen_region(options, maker);
+    const std::optional<CellSet> frozen = frozen_region(options, maker);
     context.progress->step("texture: synthesis");
     const Window window = maker.window_of(0, 0, width, height);
     const Synthesis land =

@@ -114,7 +114,7 @@ TEST_F(TextureStage, PointsAndTheirNames) {
         "relative = true\ngradient = [0.5, -0.25]\nradius = 300\n");
     ASSERT_EQ(o.points.size(), 2u);
     EXPECT_EQ(o.points[0].name, "point 1");
-    EXPECT_EQ(o.points[0].at, (Place2{metres(1200), of_width(0.5)}));
+    EXPECT_EQ(o.points[0].at, (geometry::Place2{metres(1200), of_width(0.5)}));
     EXPECT_EQ(o.points[1].name, "summit");
     EXPECT_TRUE(o.points[1].relative);
     EXPECT_EQ(o.points[1].gradient[1], -0.25);
@@ -130,7 +130,7 @@ TEST_F(TextureStage, CurvesAndTheirHandles) {
         "area = [100, '5 %']\n"
         "[[terrain.stage.curve]]\ndrawing = 'ridges.svg'\nid = 'a'\nheight = 5\n");
     ASSERT_EQ(o.curves.size(), 2u);
-    EXPECT_EQ(o.curves[0].points.at(1), (Place2{of_width(0.5), metres(300)}));
+    EXPECT_EQ(o.curves[0].points.at(1), (geometry::Place2{of_width(0.5), metres(300)}));
     EXPECT_EQ(o.curves[0].handles.at(0).height, 100.0);
     EXPECT_FALSE(o.curves[0].handles[0].area);
     EXPECT_EQ(o.curves[0].handles[1].area->at(1), of_width(0.05));

@@ -46,7 +46,8 @@ const std::map<std::string, std::vector<std::string>> kClosedTo = {
 };
 
 bool synth_may_include(const std::string& file, const std::string& included) {
-    if (starts_with_any(included, {"field/", "synth/context.h"})) return true;
+    if (starts_with_any(included, {"field/", "synth/context.h", "synth/method.h"}))
+        return true;
     if (file == "synth/stage.h") return included.starts_with("synth/");
     const std::string folder = method_folder(file);
     if (folder.empty() || !included.starts_with("synth/")) return false;

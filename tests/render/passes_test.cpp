@@ -295,7 +295,7 @@ TEST(Passes, MotionIsWhereThePointGoes) {
                 EXPECT_EQ(motion.values[i], 0.0f);
                 continue;
             }
-            const auto at = then.project(vec(p.at));
+            const auto at = then.project(vec3_of(p.at));
             EXPECT_NEAR(x + 0.5 + motion.values[i], at.x, 0.01 + 1e-3 * std::abs(at.x));
             moved += motion.values[i] < -0.5f;
         }

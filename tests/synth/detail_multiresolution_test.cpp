@@ -69,7 +69,7 @@ TEST(Multiresolution, SubdivisionIsReversed) {
     }
 }
 
-// The published filters (docs/papers.md, Brosz 1), inside and at an end.
+// The published filters (docs/papers.md, Brosz 2007, 1), inside and at an end.
 TEST(Multiresolution, ChaikinsFiltersAreThePublishedOnes) {
     const FilterBank bank = filter_bank(Filter::kChaikin, 20);
     EXPECT_EQ(bank.fine, 38);

@@ -242,7 +242,7 @@ TEST_F(Detail, SearchesAreInOrder) {
         example_of(mountains(500, 500, 8), {}, Filter::kChaikin, 1)};
     const Blocks blocks = blocks_of(300, 300, 30);
     const auto all = [](int) { return true; };
-    const auto unlikeness = [&](Search search) {
+    const auto dissimilarity = [&](Search search) {
         double sum = 0.0;
         const auto matches =
             matched(land, {}, blocks, examples, {search, 20, 0, 1}, {}, {}, all);
@@ -264,9 +264,9 @@ TEST_F(Detail, SearchesAreInOrder) {
         }
         return sum;
     };
-    const double random = unlikeness(Search::kRandom),
-                 patchmatch = unlikeness(Search::kPatchMatch),
-                 every = unlikeness(Search::kExhaustive);
+    const double random = dissimilarity(Search::kRandom),
+                 patchmatch = dissimilarity(Search::kPatchMatch),
+                 every = dissimilarity(Search::kExhaustive);
     EXPECT_LT(patchmatch, 0.9 * random);
     EXPECT_LT(every, patchmatch);
 }

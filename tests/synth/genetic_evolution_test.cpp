@@ -292,13 +292,13 @@ TEST_F(Evolution, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Evolution, PlacedFeaturesAreThere) {
-    texture::Point point;
+    geometry::Point point;
     point.name = "summit";
     point.at = {metres(1815.0), metres(1815.0)};
     point.height = 1500.0;
     point.radius = metres(600.0);
     options_.points = {point};
-    texture::Curve river{.name = "river", .points = {}};
+    geometry::Curve river{.name = "river", .points = {}};
     river.points = {{metres(915.0), metres(300.0)}, {metres(915.0), metres(3300.0)}};
     river.height = 40.0;
     river.area = {metres(150.0), metres(150.0)};

@@ -42,18 +42,18 @@ constexpr Extent kLand{64, 48, 10.0};
 Outline box(double west, double south, double east, double north) {
     return {{west, south}, {east, south}, {east, north}, {west, north}};
 }
-Region region(std::string name, std::string type, Outline outline) {
+MapRegion region(std::string name, std::string type, Outline outline) {
     return {std::move(name), std::move(type), {std::move(outline)}};
 }
 // In metres of kLand, as drawn.
-MapOptions map_of(std::vector<Region> regions) {
+MapOptions map_of(std::vector<MapRegion> regions) {
     MapOptions map;
     map.regions = std::move(regions);
     map.window = {0.0, 0.0, kLand.width(), kLand.depth()};
     map.refine = false;
     return map;
 }
-Region all_of(std::string type) {
+MapRegion all_of(std::string type) {
     return region("all of it", std::move(type),
                   box(0.0, 0.0, kLand.width(), kLand.depth()));
 }
@@ -122,7 +122,7 @@ TEST(MapRaster, OneTypeHasNoBoundary) {
 }
 
 TEST(MapRaster, HolesAreNotInside) {
-    Region ring = region("ring", "hills", box(100.0, 100.0, 400.0, 400.0));
+    MapRegion ring = region("ring", "hills", box(100.0, 100.0, 400.0, 400.0));
     ring.outlines.push_back(box(200.0, 200.0, 300.0, 300.0));
     const MapRaster raster = raster_of(map_of({all_of("plain"), ring}));
     EXPECT_EQ(cells_of(raster, 1), 900u - 100u);

@@ -26,7 +26,7 @@ Field<float> hills() {
 
 Landform ridge(const std::vector<Point2>& points, double width,
                const std::function<double(double share)>& height) {
-    Landform landform{texture::shape_through(points, "ridge"), {}, {}, {}, {}};
+    Landform landform{geometry::shape_through(points, "ridge"), {}, {}, {}, {}};
     const int values = int(landform.shadow.length() / kSpacing) + 1;
     landform.silhouette = Field<float>(values, 1);
     for (int i = 0; i < values; ++i)
@@ -119,8 +119,8 @@ TEST(Sketched, GentleBendsHaveNoSeams) {
     const Landform landform =
         ridge(gentle, 700.0, [](double share) { return 200.0 + 600.0 * share; });
     ASSERT_TRUE(lies_on_base_line(landform.shadow));
-    EXPECT_FALSE(lies_on_base_line(texture::shape_through(sharp, "sharp")));
-    EXPECT_FALSE(lies_on_base_line(texture::shape_through(
+    EXPECT_FALSE(lies_on_base_line(geometry::shape_through(sharp, "sharp")));
+    EXPECT_FALSE(lies_on_base_line(geometry::shape_through(
         {{0.0, 0.0}, {900.0, 10.0}, {300.0, 20.0}, {1200.0, 30.0}}, "folded")));
     // Across the line below the bend's corner.
     std::vector<float> places(kSide, -1.0f);

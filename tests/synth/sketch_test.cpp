@@ -177,7 +177,7 @@ TEST_F(Sketch, BoundariesAreHeldAlongTheWay) {
 
 TEST_F(Sketch, RegionsChangeFineScalesInsideTheirLoop) {
     Options options;
-    Region region;
+    RoughRegion region;
     region.name = "moor";
     region.way.points = {{metres(500.0), metres(300.0)},
                          {metres(1500.0), metres(300.0)},
@@ -401,7 +401,7 @@ TEST_F(Sketch, LoopsOfAWayAreCutOff) {
     cut_loops(ring);
     double area = 0.0;
     for (std::size_t i = 1; i < ring.size(); ++i)
-        area += 0.5 * texture::cross(ring[i - 1], ring[i]);
+        area += 0.5 * geometry::cross(ring[i - 1], ring[i]);
     EXPECT_NEAR(std::abs(area), 1e4, 200.0);
     Options options;
     options.features = {feature(300.0)};

@@ -333,7 +333,7 @@ TEST_F(Databases, VoidsThatLeaveNoLand) {
     const Field<float> heights = heights_of(
         30, 30, [](int x, int y) { return x % 3 + y % 3 == 0 ? kNan : float(x); });
     options_.exemplars.push_back(exemplar_of(folder_, "holes.tif", heights));
-    expect_error(ExitCode::kBadRequest, "holes.tif: voids leave no land to take from it",
+    expect_error(ExitCode::kBadRequest, "holes.tif: its voids leave no 5x5 cells of land",
                  [&] { database(); });
 }
 

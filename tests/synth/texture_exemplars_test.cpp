@@ -56,7 +56,7 @@ TEST_F(Exemplars, OthersAreResampledToIt) {
             ASSERT_NEAR(b(x, y), plane_at(0.4 * x - 0.3, 0.4 * y - 0.3), 1e-3);
     ASSERT_EQ(listener_.notes.size(), 1u);
     EXPECT_EQ(listener_.notes[0],
-              "b.tif: its cells of 25 m were resampled to the synthesis' 10 m");
+              "b.tif: resampled from cells of 25 m to the synthesis' 10 m");
 }
 
 TEST_F(Exemplars, SpacingIsStretchedAndHeightsAreScaled) {
@@ -114,7 +114,7 @@ TEST_F(Exemplars, ConstantHeight) {
 TEST_F(Exemplars, HeightsThatAreNoLand) {
     add("a.tif", rough(30, 30));
     options_.vertical_scale = 1e300;
-    expect_refused("a.tif: its heights go from -inf to inf m, which is no land");
+    expect_refused("a.tif: its heights go from -inf to inf m, which no land does");
     options_.vertical_scale = 1e-300;
     expect_refused("a.tif: all its heights are 0 m");
 }

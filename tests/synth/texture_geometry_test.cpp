@@ -9,11 +9,13 @@
 
 #include "field/random.h"
 #include "synth/geometry/hermite.h"
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 #include "tests/field/temporary_folder.h"
 
 namespace cydonia::texture {
 namespace {
+
+using namespace geometry;
 
 constexpr Ground kGround{2560.0, 1280.0, 10.0};
 
@@ -450,8 +452,8 @@ TEST(TextureGeometry, TheAreaDoesNotLeapOnTheConcaveSide) {
     c.handles = {Handle{0.0, {}, {}, {{metres(800.0), metres(800.0)}}},
                  Handle{1.0, {}, {}, {{metres(250.0), metres(250.0)}}}};
     const Shape shape = shape_through(arc, "arc");
-    Strand strand{"arc", shape, Course(c, "arc", shape, kGround, flat)};
-    strand.area = SmoothArea(strand.shape, strand.course, kGround);
+    CurveConstraint curve{"arc", shape, Course(c, "arc", shape, kGround, flat)};
+    curve.area = SmoothArea(curve.shape, curve.course, kGround);
     // The largest change of what is left of the area of effect over one cell.
     const auto leap = [&](const auto& area) {
         double worst = 0.0;
@@ -469,12 +471,12 @@ TEST(TextureGeometry, TheAreaDoesNotLeapOnTheConcaveSide) {
         return nearest(0, 0).segment;
     };
     EXPECT_GT(leap([&](const Point2& p) {
-                  const Asked asked = asked_by(shape, strand.course, segment(p), p);
+                  const Demand asked = demand_of(shape, curve.course, segment(p), p);
                   return asked.area - asked.distance;
               }),
               300.0);
     EXPECT_LT(leap([&](const Point2& p) {
-                  const Asked asked = asked_by(strand, segment(p), p);
+                  const Demand asked = demand_of(curve, segment(p), p);
                   return asked.area - asked.distance;
               }),
               45.0);
@@ -482,8 +484,8 @@ TEST(TextureGeometry, TheAreaDoesNotLeapOnTheConcaveSide) {
     for (double a = 0.3; a < 2.9; a += 0.2)
         for (double r : {405.0, 440.0, 500.0}) {
             const Point2 p{1280.0 + r * std::cos(a), 300.0 + r * std::sin(a)};
-            const Asked raw = asked_by(shape, strand.course, segment(p), p);
-            EXPECT_NEAR(asked_by(strand, segment(p), p).area, raw.area,
+            const Demand raw = demand_of(shape, curve.course, segment(p), p);
+            EXPECT_NEAR(demand_of(curve, segment(p), p).area, raw.area,
                         r < 410.0 ? 1e-9 : 12.0);
         }
 }

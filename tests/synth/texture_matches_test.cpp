@@ -8,7 +8,7 @@
 #include <set>
 
 #include "field/random.h"
-#include "synth/texture/database/alike_tree.h"
+#include "synth/texture/database/kd_tree.h"
 #include "synth/texture/database/neighbourhood.h"
 #include "tests/synth/texture_lands.h"
 
@@ -72,7 +72,7 @@ TEST(Matches, UnlikenessIsTurnedAndRaised) {
                           static_cast<std::uint16_t>(50 - 2 * i), 1,
                           static_cast<std::uint8_t>(o)};
             const double truth = plain_unlikeness(level, 0, 10 + 2 * i, 30 - i, m);
-            EXPECT_NEAR(unlikeness(level, 0, 10 + 2 * i, 30 - i, m), truth,
+            EXPECT_NEAR(dissimilarity(level, 0, 10 + 2 * i, 30 - i, m), truth,
                         1e-4 * truth + 1.0);
         }
 }
@@ -82,7 +82,7 @@ TEST(Matches, SmallLevelsHaveTheBestOfAll) {
         matched({land_of(rough(40, 30)), land_of(rough(24, 20, 2))}, 2);
     expect_allowed(level, {0, 2});
     each_cell(level, [&](int e, int x, int y, const Match& m) {
-        EXPECT_EQ(unlikeness(level, e, x, y, m), best_unlikeness(level, e, x, y, 2));
+        EXPECT_EQ(dissimilarity(level, e, x, y, m), best_unlikeness(level, e, x, y, 2));
     });
 }
 
@@ -95,7 +95,7 @@ TEST(Matches, LargerOnesAreNearTheBest) {
         for (int i = 0; i < 150; ++i) {
             const int x = 37 * i % 220, y = 53 * i % 160;
             const Match m = level.matches[level.sheets[0].index(x, y)];
-            found += std::sqrt(unlikeness(level, 0, x, y, m));
+            found += std::sqrt(dissimilarity(level, 0, x, y, m));
             best += std::sqrt(best_unlikeness(level, 0, x, y, orientations));
         }
         EXPECT_LT(found, 1.065 * best) << orientations;
@@ -214,21 +214,21 @@ TEST(Matches, InterruptedAtOnce) {
     EXPECT_THROW(add_matches(level, nullptr, 1, listener, 0.0, 1.0), Interrupted);
 }
 
-TEST(AlikeTree, LeadsSamplesToTheirOwnLeaf) {
+TEST(KdTree, LeadsSamplesToTheirOwnLeaf) {
     std::vector<Sample> samples(5000);
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
         samples[i] = {{}, i, 0, 0};
         for (std::uint32_t k = 0; k < kTraits; ++k)
             samples[i].traits[k] = float(unit(mix(i * kTraits + k)));
     }
-    const AlikeTree tree(samples);
+    const KdTree tree(samples);
     for (const Sample& sample : samples) {
         const auto leaf = tree.around(sample.traits);
         EXPECT_LE(leaf.size(), 24u);
         EXPECT_TRUE(std::ranges::any_of(
             leaf, [&](const Sample& s) { return s.exemplar == sample.exemplar; }));
     }
-    EXPECT_TRUE(AlikeTree({}).around({}).empty());
+    EXPECT_TRUE(KdTree({}).around({}).empty());
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 namespace cydonia::texture {
 namespace {
 
+using namespace geometry;
+
 constexpr double kCell = 10.0;
 constexpr Ground kGround{1280.0, 960.0, kCell};
 constexpr int kWidth = 128, kHeight = 96;

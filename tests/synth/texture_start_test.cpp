@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "field/files.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 #include "tests/synth/texture_lands.h"
 
 namespace cydonia::texture {
@@ -34,7 +34,7 @@ TEST_F(Start, AnyWindowIsThePlanes) {
     const Synthesis whole = land(-40, -30, 120, 90), part = land(-17, 8, 30, 20);
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 30; ++x)
-            ASSERT_EQ(part.places(x, y), whole.places(x + 23, y + 38));
+            ASSERT_EQ(part.origins(x, y), whole.origins(x + 23, y + 38));
 }
 
 TEST_F(Start, SeamsAreThePlanesToo) {
@@ -47,7 +47,7 @@ TEST_F(Start, SeamsAreThePlanesToo) {
     const Synthesis whole = cut(-40, -30, 120, 90), part = cut(-17, 8, 30, 20);
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 30; ++x)
-            ASSERT_EQ(part.places(x, y), whole.places(x + 23, y + 38));
+            ASSERT_EQ(part.origins(x, y), whole.origins(x + 23, y + 38));
 }
 
 TEST_F(Start, LandOfAskedTypesIsNotCut) {
@@ -55,8 +55,8 @@ TEST_F(Start, LandOfAskedTypesIsNotCut) {
     Field<TypeSet> types(8, 8, kAnyType);
     types(3, 4) = 1;
     cut_out(land, *database_, layout_, types);
-    EXPECT_EQ(land.places(3, 4), Place{});
-    EXPECT_NE(land.places(4, 3), Place{});
+    EXPECT_EQ(land.origins(3, 4), Origin{});
+    EXPECT_NE(land.origins(4, 3), Origin{});
 }
 
 }  // namespace

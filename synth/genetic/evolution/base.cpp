@@ -6,10 +6,10 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kLeastReach = 0.5;   // cells
-constexpr double kMostReach = 0.3;    // of a region's side
-constexpr double kLevelSlope = 1e-3;  // of land that has none
-constexpr double kLeastOwn = 0.3;     // of a chunk's relief, where it meets another type
+constexpr double kLeastReach = 0.5;   // cells; see reach
+constexpr double kMostReach = 0.3;    // share of a region's side
+constexpr double kLevelSlope = 1e-3;  // slope that level land counts with
+constexpr double kLeastOwn = 0.3;     // share of a chunk's relief beside another type
 constexpr int kSweeps = 300;
 constexpr double kRelaxation = 1.8;
 
@@ -36,8 +36,9 @@ Means means_of(const LevelSamples& samples, int type) {
     return means;
 }
 
-// How far from its boundary a region is as high as its type lies: about as far as slopes
-// between neighbours, as steep as their land, need; but each has land of its own height.
+// The distance from its boundary at which a region has the mean height of its type: about
+// as far as slopes between neighbours need, which are as steep as their land. Each region
+// keeps some land at its own height.
 std::vector<double> reaches_of(const Regions& regions, const std::vector<Means>& means,
                                double spacing) {
     std::vector<double> reaches(regions.types.size(), kLeastReach * spacing);
@@ -62,10 +63,10 @@ std::vector<double> reaches_of(const Regions& regions, const std::vector<Means>&
     return reaches;
 }
 
-// Heights that are their region's mean far inside and slope between neighbours, most of
-// it on the side of the steeper one: div(k grad h) = k (h - mean) / reach^2 with k = 1 /
-// slope, so that slopes on both sides of a boundary are as their lands' are. By
-// successive over-relaxation.
+// Heights that equal the region's mean far inside and slope between neighbours, mostly on
+// the side of the steeper one. They solve div(k grad h) = k (h - mean) / reach^2 with k =
+// 1 / slope, so that the slopes on both sides of a boundary are those of their land.
+// Solved by successive over-relaxation.
 Field<float> sloped(const Field<float>& level, const Regions& regions,
                     const std::vector<Means>& means, double spacing) {
     const int w = level.width(), h = level.height();

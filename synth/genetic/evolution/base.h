@@ -7,15 +7,15 @@
 namespace cydonia::genetic {
 
 // The coarsest level of detail (section IV.3.3.3), without the cliffs that pasted chunks
-// leave between regions of different height (its VII.7).
+// leave between regions of different height (a wish of section VII.7).
 struct Base {
-    // How high the land of each cell is to lie on the whole: as its type's samples do,
-    // and where neighbours' differ a slope between them that is no steeper than theirs.
+    // The large-scale height of each cell: the mean of its type's samples, with slopes
+    // between neighbours that are no steeper than their land.
     Field<float> pattern;
-    // How much of its chunk's own relief a cell has, 0 to 1: least where it meets another
-    // type's land.
+    // The share, 0 to 1, of its chunk's own relief that a cell has. It is least beside
+    // land of another type.
     Field<float> own;
-    // The samples with all of their land, less their type's mean, as detail.
+    // The samples, whose detail is all of their land less the mean of their type.
     LevelSamples samples;
 };
 

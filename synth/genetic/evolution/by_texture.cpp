@@ -8,16 +8,16 @@
 #include "field/sample.h"
 #include "synth/texture/database/database.h"
 #include "synth/texture/synthesis/correction.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/synthesis.h"
 
 namespace cydonia::genetic {
 namespace {
 
-constexpr int kSmooth = 2;  // cells around that a cell's offset is averaged over
+constexpr int kSmooth = 2;  // radius over which a cell's offset is averaged, cells
 constexpr int kLevels = 6;
 
-// Texture's name for a gene's turn.
+// The texture method's orientation for a gene's turn.
 int orientation_of(const Gene& gene) {
     const Layout layout = layout_of(gene, 1, 1 << 20);
     const auto step_of = [](std::ptrdiff_t stride) {
@@ -31,20 +31,47 @@ int orientation_of(const Gene& gene) {
     return 0;
 }
 
+// Offsets in units of `unit` metres, averaged over a cell's neighbours of the same gene.
+// So the offset of a gene's land changes slowly, and the land keeps its own shape.
+Field<std::int32_t> smoothed_offsets(const Field<float>& offsets,
+                                     const Field<int>& owners, double unit) {
+    Field<std::int32_t> smoothed(offsets.width(), offsets.height());
+    parallel_for(offsets.height(), 8, [&](int row) {
+        for (int column = 0; column < offsets.width(); ++column) {
+            double sum = 0.0;
+            int count = 0;
+            for (int y = std::max(0, row - kSmooth);
+                 y <= std::min(offsets.height() - 1, row + kSmooth); ++y)
+                for (int x = std::max(0, column - kSmooth);
+                     x <= std::min(offsets.width() - 1, column + kSmooth); ++x)
+                    if (owners(x, y) == owners(column, row))
+                        sum += offsets(x, y), ++count;
+            smoothed(column, row) = std::int32_t(std::lround(sum / count / unit));
+        }
+    });
+    return smoothed;
+}
+
 }  // namespace
 
 struct ByTexture::Parts {
     std::shared_ptr<const texture::Database> database;
-    std::vector<int> exemplar_of;  // of each example of used types
-    std::vector<int> type_of;      // of each type of the library, texture's
+    std::vector<int> exemplar_of;  // texture's exemplar for each example of used types
+    std::vector<int> type_of;      // texture's type for each type of the library, or -1
     double spacing = 1.0;
 
     int level_of(double at) const {
         const int last = int(database->levels.size()) - 1;
         return std::clamp(int(std::lround(std::log2(at / spacing))), 0, last);
     }
-    texture::Kept start(const Encoded& coarse, const texture::Window& window,
-                        const Field<std::uint8_t>& types) const;
+    // The slot whose gene made the land at (x, y), in cells of the coarser level, where
+    // the finest level has land of `type`.
+    static int owner(const Encoded& coarse, double x, double y, int type);
+    // The position on the exemplar of a gene's land at (x, y), which may lie outside it.
+    texture::Spot land_of(const Encoded& coarse, int slot, double x, double y) const;
+    // The origins and offsets of a level's cells, all of which are pinned.
+    texture::PinnedRegion start(const Encoded& coarse, const texture::Window& window,
+                                const Field<std::uint8_t>& types) const;
 };
 
 ByTexture::ByTexture(const LibraryOptions& library, const std::vector<std::uint8_t>& used,
@@ -72,54 +99,64 @@ ByTexture::ByTexture(const LibraryOptions& library, const std::vector<std::uint8
 
 ByTexture::~ByTexture() = default;
 
-// Places and offsets of a level's cells, all of them to stay.
-texture::Kept ByTexture::Parts::start(const Encoded& coarse,
-                                      const texture::Window& window,
-                                      const Field<std::uint8_t>& types) const {
+int ByTexture::Parts::owner(const Encoded& coarse, double x, double y, int type) {
+    const GeneGrid& grid = *coarse.grid;
+    const int cx = std::clamp(int(std::floor(x)), 0, grid.width - 1),
+              cy = std::clamp(int(std::floor(y)), 0, grid.height - 1);
+    int slot = -1;
+    for (std::size_t layer = 0; layer < grid.types.size() && slot < 0; ++layer)
+        if (grid.types[layer] == type) slot = coarse.genes->owner(int(layer), cx, cy);
+    for (std::size_t layer = 0; layer < grid.types.size() && slot < 0; ++layer)
+        slot = coarse.genes->owner(int(layer), cx, cy);
+    return slot;
+}
+
+texture::Spot ByTexture::Parts::land_of(const Encoded& coarse, int slot, double x,
+                                        double y) const {
+    const GeneGrid& grid = *coarse.grid;
+    const double own = coarse.samples->spacing;
+    const auto& s = grid.slots[std::size_t(slot)];
+    const Gene& gene = coarse.genes->gene(slot);
+    const Sample& sample = coarse.samples->all[std::size_t(gene.sample)];
+    // Relative to the gene's centre, which turns leave in place.
+    const double dx = x - (s.column * grid.step() + 0.5 * grid.side),
+                 dy = y - (s.row * grid.step() + 0.5 * grid.side);
+    const int orientation = orientation_of(gene);
+    const texture::Step e = texture::turned(orientation, {1, 0}),
+                        d = texture::turned(orientation, {0, 1});
+    const double sx =
+        (gene.x + 0.5 * grid.side + e.x * dx + d.x * dy) * own + sample.west;
+    const double sy =
+        (gene.y + 0.5 * grid.side + e.y * dx + d.y * dy) * own + sample.north;
+    return {exemplar_of[std::size_t(sample.example)], orientation,
+            int(std::lround(2.0 * sx / spacing)), int(std::lround(2.0 * sy / spacing))};
+}
+
+texture::PinnedRegion ByTexture::Parts::start(const Encoded& coarse,
+                                              const texture::Window& window,
+                                              const Field<std::uint8_t>& types) const {
     const texture::Level& level = database->levels[std::size_t(window.level)];
     const double cell = std::ldexp(spacing, window.level);
-    const double own = coarse.samples->spacing, unit = database->unit;
-    const GeneGrid& grid = *coarse.grid;
-    texture::Kept kept{Field<float>(window.width, window.height),
-                       Field<texture::Place>(window.width, window.height),
-                       Field<std::int32_t>(window.width, window.height)};
+    const double own = coarse.samples->spacing;
+    texture::PinnedRegion pinned{Field<float>(window.width, window.height),
+                                 Field<texture::Origin>(window.width, window.height),
+                                 {}};
     Field<int> owners(window.width, window.height);
     Field<float> offsets(window.width, window.height);
     parallel_for(window.height, 8, [&](int row) {
         for (int column = 0; column < window.width; ++column) {
-            // In cells of the genes' level; beyond the land what its border goes on with.
+            // In cells of the genes' level. Beyond the land its border's genes are
+            // continued.
             const double x = (window.x + column + 0.5) * cell / own,
                          y = (window.y + row + 0.5) * cell / own;
-            const int cx = std::clamp(int(std::floor(x)), 0, grid.width - 1),
-                      cy = std::clamp(int(std::floor(y)), 0, grid.height - 1);
-            // The type there on the finest level, which boundaries follow best.
+            // The type there on the finest level, which follows boundaries best.
             const int fx = std::clamp(int(x * own / spacing), 0, types.width() - 1),
                       fy = std::clamp(int(y * own / spacing), 0, types.height() - 1);
-            int slot = -1;
-            for (std::size_t layer = 0; layer < grid.types.size() && slot < 0; ++layer)
-                if (grid.types[layer] == types(fx, fy))
-                    slot = coarse.genes->owner(int(layer), cx, cy);
-            for (std::size_t layer = 0; layer < grid.types.size() && slot < 0; ++layer)
-                slot = coarse.genes->owner(int(layer), cx, cy);
-            const auto& s = grid.slots[std::size_t(slot)];
-            const Gene& gene = coarse.genes->gene(slot);
-            const Sample& sample = coarse.samples->all[std::size_t(gene.sample)];
-            // From the gene's middle, where turns leave it.
-            const double dx = x - (s.column * grid.step() + 0.5 * grid.side),
-                         dy = y - (s.row * grid.step() + 0.5 * grid.side);
-            const int orientation = orientation_of(gene);
-            const texture::Step e = texture::turned(orientation, {1, 0}),
-                                d = texture::turned(orientation, {0, 1});
-            const double sx = (gene.x + 0.5 * grid.side + e.x * dx + d.x * dy) * own +
-                              sample.west,
-                         sy = (gene.y + 0.5 * grid.side + e.y * dx + d.y * dy) * own +
-                              sample.north;
-            texture::Spot spot{exemplar_of[std::size_t(sample.example)], orientation,
-                               int(std::lround(2.0 * sx / spacing)),
-                               int(std::lround(2.0 * sy / spacing))};
+            const int slot = owner(coarse, x, y, types(fx, fy));
+            texture::Spot spot = land_of(coarse, slot, x, y);
             const texture::Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
             spot = texture::kept_inside(spot, sheet, window.level);
-            kept.places(column, row) = texture::place_of(spot);
+            pinned.origins(column, row) = texture::origin_of(spot);
             owners(column, row) = slot;
             const float height = level.heights[sheet.index(spot.x >> (window.level + 1),
                                                            spot.y >> (window.level + 1))];
@@ -127,21 +164,8 @@ texture::Kept ByTexture::Parts::start(const Encoded& coarse,
                 float(bilinear(*coarse.heights, x - 0.5, y - 0.5)) - height;
         }
     });
-    // What a gene's land is off changes slowly across it: its own shape is to stay.
-    parallel_for(window.height, 8, [&](int row) {
-        for (int column = 0; column < window.width; ++column) {
-            double sum = 0.0;
-            int count = 0;
-            for (int y = std::max(0, row - kSmooth);
-                 y <= std::min(window.height - 1, row + kSmooth); ++y)
-                for (int x = std::max(0, column - kSmooth);
-                     x <= std::min(window.width - 1, column + kSmooth); ++x)
-                    if (owners(x, y) == owners(column, row))
-                        sum += offsets(x, y), ++count;
-            kept.offsets(column, row) = std::int32_t(std::lround(sum / count / unit));
-        }
-    });
-    return kept;
+    pinned.offsets = smoothed_offsets(offsets, owners, database->unit);
+    return pinned;
 }
 
 Field<float> ByTexture::refined(const Encoded& coarse, const Field<std::uint8_t>& types,
@@ -168,8 +192,8 @@ Field<float> ByTexture::refined(const Encoded& coarse, const Field<std::uint8_t>
         });
         return sets;
     };
-    guidance.kept = [&](const texture::Window& w, int) {
-        return w.level == level ? p.start(coarse, w, types) : texture::Kept{};
+    guidance.pinned = [&](const texture::Window& w, int) {
+        return w.level == level ? p.start(coarse, w, types) : texture::PinnedRegion{};
     };
     const texture::Window window =
         texture::Window{0, 0, 0, types.width(), types.height()}.grown(texture::kReadOut);

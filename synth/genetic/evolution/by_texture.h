@@ -14,7 +14,7 @@
 
 namespace cydonia::genetic {
 
-// A height field of one level with its genes.
+// The height field of one level, with its genes.
 struct Encoded {
     const GeneGrid* grid;
     const LevelSamples* samples;
@@ -22,18 +22,21 @@ struct Encoded {
     const Field<float>* heights;
 };
 
-// The other optimiser: the finer levels by parallel texture synthesis (Gain 2015), which
-// starts from what the genes say where each cell's land is from, and keeps to the map's
-// types. Much less to be seen of seams, as cells choose and not chunks of them.
+// Makes the finer levels by parallel texture synthesis (Gain 2015) instead of genes. It
+// starts with the origin that the genes give each cell, and keeps to the map's types.
+// Seams are much less visible, because single cells choose their land and not whole
+// chunks.
 class ByTexture {
   public:
-    // `used`: of the library's types, as many as texture can tell apart. `spacing`: of
-    // its finest cells, metres. Exemplars are kept in `cache`. Throws bad_request.
+    // `used` tells for each type of the library whether it is used; at most as many may
+    // be as the texture method can tell apart. `spacing` is that of the finest cells,
+    // metres. The exemplars' database is kept in `cache`. Throws bad_request.
     ByTexture(const LibraryOptions& library, const std::vector<std::uint8_t>& used,
               double spacing, const std::filesystem::path& cache, Progress& progress);
     ~ByTexture();
 
-    // Types of the finest cells, in the library; the result has the same cells.
+    // `types` are those of the finest cells, as indices in the library. The result has
+    // the same cells.
     Field<float> refined(const Encoded& coarse, const Field<std::uint8_t>& types,
                          std::uint64_t seed, Progress& progress) const;
 

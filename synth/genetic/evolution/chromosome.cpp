@@ -27,7 +27,8 @@ float Chromosome::cut_between(const View& before, const View& after, bool north,
     constexpr int kMost = 64;
     const int side = grid_->side, overlap = std::min(grid_->overlap, kMost - 1),
               step = grid_->step();
-    // A cut at c leaves cells below c to the gene before; the feather stays inside.
+    // A cut at c gives cells below c to the gene before it. The feathered part stays
+    // inside the overlap.
     const int low = std::min(1, overlap / 2), high = overlap - low;
     const auto difference = [&](int cell, int along) {
         cell = std::clamp(cell, 0, overlap - 1);
@@ -37,7 +38,7 @@ float Chromosome::cut_between(const View& before, const View& after, bool north,
     };
     std::array<float, kMost> cost{}, next{};
     std::array<std::array<std::int8_t, kMost>, kMostSide>
-        from;  // all that is read is set
+        from;  // every value that is read was set before
     for (int along = 0; along < side; ++along) {
         std::array<float, kMost + 1> d{};
         for (int c = 0; c <= overlap; ++c) d[std::size_t(c)] = difference(c, along);
@@ -78,7 +79,7 @@ float Chromosome::share(int cut, int cell) const {
     return std::clamp(float((cell + 0.5 - cut) / kFeather + 0.5), 0.0f, 1.0f);
 }
 
-// Of genes side by side in a row of a layer; `x` and `y` are cells of the field.
+// The detail of a row of genes of a layer at a cell (x, y) of the field.
 float Chromosome::in_row(int layer, int column, int row, int x, int y) const {
     const int slot = grid_->slot(layer, column, row);
     const int step = grid_->step(), cx = x - column * step, cy = y - row * step;

@@ -14,14 +14,16 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kMostScale = 2.0;     // of a gene's heights, and its inverse
-constexpr int kDrawn = 24, kKept = 3;  // random chunks looked at, and tried
+constexpr double kMostScale =
+    2.0;  // largest factor of a gene's heights; the least is its inverse
+constexpr int kDrawn = 24,
+              kKept = 3;  // random chunks drawn, and the best of them that are tried
 constexpr int kShifts = 6;
 constexpr std::array<std::array<int, 2>, 4> kWays = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-// A trial that loses more compatibility than this cannot win it back by similarity.
+// A trial that loses more compatibility than this cannot regain it by similarity.
 constexpr double kHopeless = -0.25;
 
-// Random numbers for one purpose, in order.
+// A sequence of random numbers for one purpose.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -43,7 +45,7 @@ struct Individual {
     std::vector<Fitness::Sums> blocks;
     std::vector<Fitness::Sums> regions;
     std::vector<double> similarity;  // of each region
-    double compatible = 0.0;         // sum over slots
+    double compatible = 0.0;         // sum of compatibility over slots
     double fitness = 0.0;
 };
 
@@ -93,7 +95,8 @@ bool Breeder::is_usable(const Gene& gene) const {
            !s.land->any_void(gene.x, gene.y, grid_.side, grid_.side);
 }
 
-// Random source data (section IV.3.3.5): each place of the type's samples as likely.
+// Random source data (section IV.3.3.5). Every position on the type's samples is equally
+// likely.
 Gene Breeder::drawn(int slot, Dice& dice) const {
     const int layer = grid_.slots[std::size_t(slot)].layer;
     const auto& own = samples_.of_type[std::size_t(grid_.types[std::size_t(layer)])];
@@ -132,7 +135,7 @@ Gene Breeder::best_drawn(int slot, int count, Dice& dice) const {
     return best;
 }
 
-// A neighbour's land, continued: nothing to be seen of the seam between them.
+// A neighbour's land continued, so that no seam is visible between them.
 std::optional<Gene> Breeder::gone_on(const Chromosome& c, int slot, int dx,
                                      int dy) const {
     const auto& s = grid_.slots[std::size_t(slot)];
@@ -164,7 +167,7 @@ Individual Breeder::first(std::uint64_t seed, bool faithful) const {
         double most = -1.0;
         for (std::size_t i = 0; i < count; ++i) {
             c.put(slot, tried[i]);
-            c.cut(slot);  // neighbours to the east and south are not there yet
+            c.cut(slot);  // its eastern and southern neighbours come later
             Compatibility value = fitness_.compatibility(tried[i], slot);
             double off = 0.0;
             int seams = 0;
@@ -212,7 +215,8 @@ void Breeder::sum_up(Individual& individual) const {
         fitness_.alpha() * fitness_.similarity(individual.similarity);
 }
 
-// Puts the gene there if the field is fitter with it; costs the gene's neighbourhood.
+// Puts the gene there if that makes the field fitter. Only the gene's neighbourhood is
+// evaluated.
 void Breeder::try_gene(Individual& individual, int slot, const Gene& gene) const {
     Chromosome& c = individual.chromosome;
     const Gene old = c.gene(slot);
@@ -246,7 +250,7 @@ void Breeder::try_gene(Individual& individual, int slot, const Gene& gene) const
         for (int column = std::max(0, s.column - 1);
              column <= std::min(grid_.columns - 1, s.column + 1); ++column)
             blocks[count++] = fitness_.block(column, row);
-    // Regions there, at most one a block.
+    // The regions there, at most one for each block.
     std::array<int, 9> regions{};
     std::array<Fitness::Sums, 9> totals;
     std::size_t known = 0;
@@ -286,7 +290,8 @@ void Breeder::try_gene(Individual& individual, int slot, const Gene& gene) const
     individual.fitness += fitter;
 }
 
-// Horizontal offset, towards where the sample's features lie as the pattern's do.
+// Horizontal offset, towards a position where the sample's features lie as the pattern's
+// do.
 Gene Breeder::shifted(const Gene& gene, int slot, Dice& dice) const {
     Gene best = gene;
     double most = -1.0;
@@ -301,7 +306,7 @@ Gene Breeder::shifted(const Gene& gene, int slot, Dice& dice) const {
     return best;
 }
 
-// Rotation: mostly to the turn that faces as the pattern does.
+// Rotation, mostly to the turn that faces the same way as the pattern.
 Gene Breeder::turned(const Gene& gene, int slot, Dice& dice) const {
     Gene best = gene;
     double most = -1.0;
@@ -316,7 +321,7 @@ Gene Breeder::turned(const Gene& gene, int slot, Dice& dice) const {
     return best;
 }
 
-// Vertical scale: a Gaussian about what gives the pattern's range.
+// Vertical scale, from a Gaussian around the value that gives the pattern's range.
 Gene Breeder::scaled(const Gene& gene, int slot, Dice& dice) const {
     Gene other = gene;
     const double own = fitness_.range_of(gene), asked = fitness_.range_of(slot);
@@ -331,7 +336,8 @@ std::optional<Gene> Breeder::mutated(const Individual& individual, int slot,
     const Compatibility& c = individual.compatibility[std::size_t(slot)];
     const Gene& gene = individual.chromosome.gene(slot);
     const auto& heir = inherited_[std::size_t(slot)];
-    // Smart operators are as likely as they are needed, others always alike.
+    // The more a smart operator is needed, the more likely it is; others have constant
+    // odds.
     const std::array<double, 7> chances = {
         0.2 * (1.0 - c.slope),           // scale
         0.1 + 1.0 - c.angle,             // turn
@@ -384,9 +390,9 @@ void Breeder::mutate(Individual& individual, std::uint64_t seed) const {
     sum_up(individual);
 }
 
-// Copies of another's genes: a rectangle of them (section IV.3.3.5), grown over what goes
-// on with the same land beyond it, so that no feature is cut in two (its VII.10). Each
-// is taken where the field is fitter with it.
+// Copies a rectangle of another individual's genes (section IV.3.3.5), extended by genes
+// that continue the same land, so that no feature is cut in two (a wish of section
+// VII.10). Each gene is taken only if it makes the field fitter.
 void Breeder::cross(Individual& child, const Individual& other,
                     std::uint64_t seed) const {
     Dice dice(hash_of({seed, key("cross")}));
@@ -457,8 +463,7 @@ Evolved evolved(const Fitness& fitness, const std::vector<std::optional<Gene>>& 
                 hash_of({seed, key("cycle"), std::uint64_t(cycle), std::uint64_t(i)});
             Individual& own = population[std::size_t(i)];
             if (i >= chosen) own = parents[std::size_t(i) % parents.size()];
-            // The fittest stay as they are unless a trial makes them fitter, which is all
-            // that a trial ever does.
+            // The fittest are kept: a trial can only make them fitter.
             if (i >= elite)
                 breeder.cross(own, parents[std::size_t(mix(h) % parents.size())], h);
             breeder.mutate(own, h);

@@ -11,7 +11,7 @@
 
 namespace cydonia::genetic {
 
-// The best chromosome after each cycle.
+// Figures of a population after a cycle: of the best chromosome, unless said otherwise.
 struct Generation {
     double fitness = 0.0;        // eq. IV.13
     double compatibility = 0.0;  // mean over genes
@@ -21,12 +21,12 @@ struct Generation {
 
 struct Evolved {
     Chromosome best;
-    std::vector<Generation> generations;  // the first population's before any cycle
+    std::vector<Generation> generations;  // the first one before any cycle
 };
 
-// The height field genetic algorithm (section IV.3.3). `inherited`: for each slot the
-// gene that goes on with the coarser level's land there, where that has any. The same for
-// any number of threads.
+// The height field genetic algorithm (section IV.3.3). `inherited` has for each slot the
+// gene that continues the coarser level's land there, if there is one. The result is the
+// same for any number of threads.
 Evolved evolved(const Fitness& fitness, const std::vector<std::optional<Gene>>& inherited,
                 const EvolutionOptions& options, std::uint64_t seed, Progress& progress);
 

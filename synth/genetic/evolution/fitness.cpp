@@ -11,16 +11,17 @@ namespace {
 
 constexpr double kQuarter = 0.25;  // docs/papers.md, Saunders 2006, 2
 constexpr double kHalf = 0.5;
-constexpr double kLevel = 0.05;  // of a type's slopes: land so flat faces nowhere
-constexpr std::array<Quantity, 3> kJudged = {Quantity::kElevation, Quantity::kSlope,
-                                             Quantity::kCurvature};
+constexpr double kLevel = 0.05;  // share of a type's slopes: flatter land faces nowhere
+constexpr std::array<statistics::Quantity, 3> kJudged = {
+    statistics::Quantity::kElevation, statistics::Quantity::kSlope,
+    statistics::Quantity::kCurvature};
 
 double gaussian(double difference, double deviation) {
     return std::exp(-0.5 * difference * difference /
                     (deviation * deviation + 1e-12));  // eq. IV.5
 }
 
-// Where the thirds of a chunk begin; the same from both sides, for mirrored ones.
+// Where the thirds of a chunk begin. They are symmetric, for mirrored chunks.
 std::array<int, 4> thirds(int side) {
     const int first = std::max(1, int(std::lround(side / 3.0)));
     return {0, first, std::max(first + 1, side - first), side};
@@ -59,7 +60,7 @@ void add_powers(std::array<double, 4>& powers, double value) {
     powers[2] += square * value, powers[3] += square * square;
 }
 
-// Slope as rise over run, curvature as the Laplacian in 1/m.
+// Slope is rise over run, curvature the Laplacian in 1/m.
 void add_cell(Fitness::Sums& sums, double h, double west, double east, double north,
               double south, double spacing, double middle) {
     const double gx = (east - west) / (2.0 * spacing),
@@ -71,8 +72,9 @@ void add_cell(Fitness::Sums& sums, double h, double west, double east, double no
                (west + east + north + south - 4.0 * h) / (spacing * spacing));
 }
 
-Statistics statistics_of(double n, const std::array<double, 4>& powers, double origin) {
-    Statistics s;
+statistics::Statistics statistics_of(double n, const std::array<double, 4>& powers,
+                                     double origin) {
+    statistics::Statistics s;
     s.count = std::size_t(n);
     if (!(n > 3.0)) return s.count = 0, s;
     const double mean = powers[0] / n, b = powers[1] / n, c = powers[2] / n,
@@ -83,7 +85,7 @@ Statistics statistics_of(double n, const std::array<double, 4>& powers, double o
         d - 4.0 * mean * c + 6.0 * mean * mean * b - 3.0 * mean * mean * mean * mean;
     s.mean = mean + origin, s.deviation = std::sqrt(m2);
     if (!(s.deviation > 1e-9 * std::abs(s.mean) + 1e-15)) return s;
-    // Of so many cells k-statistics are the moments (eq. III.5 without their n - 1).
+    // With so many cells the k-statistics are the moments (eq. III.5 without n - 1).
     s.skewness = m3 / std::pow(m2, 1.5), s.kurtosis = m4 / (m2 * m2) - 3.0;
     return s;
 }
@@ -124,7 +126,7 @@ Fitness::Fitness(const GeneGrid& grid, const LevelSamples& samples,
 
 void Fitness::learn_types() {
     types_.resize(samples_->of_type.size());
-    std::vector<Type> types;
+    std::vector<statistics::Type> types;
     for (std::size_t t = 0; t < types_.size(); ++t) {
         const auto& own = samples_->of_type[t];
         if (own.empty()) continue;
@@ -166,7 +168,7 @@ void Fitness::learn_types() {
         facts.detail = kHalf * std::sqrt(details / double(own.size())) + 1e-3;
         facts.middle = cells > 0.0 ? middle / cells : 0.0;
 
-        Type type{.name = {}, .examples = {}};
+        statistics::Type type{.name = {}, .examples = {}};
         for (const int index : own) {
             const Sample& sample = samples_->all[std::size_t(index)];
             const Field<float>& h = sample.land->heights;
@@ -176,14 +178,15 @@ void Fitness::learn_types() {
                     add_cell(sums, sample.gain * h(x, y), sample.gain * h(x - 1, y),
                              sample.gain * h(x + 1, y), sample.gain * h(x, y - 1),
                              sample.gain * h(x, y + 1), samples_->spacing, facts.middle);
-            Analysis analysis = analysis_of_sums(sums, int(t));
-            if (sample.smaller) analysis[std::size_t(Quantity::kElevation)] = {};
+            statistics::Analysis analysis = analysis_of_sums(sums, int(t));
+            if (sample.smaller)
+                analysis[std::size_t(statistics::Quantity::kElevation)] = {};
             type.examples.push_back(analysis);
         }
         facts.in_library = int(types.size());
         types.push_back(std::move(type));
     }
-    library_ = std::make_unique<Library>(std::move(types));
+    library_ = std::make_unique<statistics::Library>(std::move(types));
 }
 
 void Fitness::learn_pattern() {
@@ -300,7 +303,7 @@ Fitness::Sums Fitness::sums(const Chromosome& chromosome, int block) const {
     const int x0 = column * step, y0 = row * step;
     const int x1 = column + 1 < grid_->columns ? x0 + step : grid_->width,
               y1 = row + 1 < grid_->rows ? y0 + step : grid_->height;
-    // With the cells around, for slopes.
+    // Including the surrounding cells, for slopes.
     const int left = std::max(0, x0 - 1), right = std::min(grid_->width, x1 + 1),
               top = std::max(0, y0 - 1), bottom = std::min(grid_->height, y1 + 1);
     const int w = right - left;
@@ -327,8 +330,8 @@ Fitness::Sums Fitness::sums(const Chromosome& chromosome, int block) const {
     return sums;
 }
 
-Analysis Fitness::analysis_of_sums(const Sums& sums, int type) const {
-    Analysis analysis{};
+statistics::Analysis Fitness::analysis_of_sums(const Sums& sums, int type) const {
+    statistics::Analysis analysis{};
     for (std::size_t q = 0; q < kJudged.size(); ++q)
         analysis[std::size_t(kJudged[q])] = statistics_of(
             sums.count, sums.powers[q], q == 0 ? types_[std::size_t(type)].middle : 0.0);
@@ -339,8 +342,8 @@ double Fitness::similarity(int region, const Sums& sums) const {
     const int type = regions_->types[std::size_t(region)];
     const TypeFacts& facts = types_[std::size_t(type)];
     if (facts.in_library < 0 || sums.count < 4.0) return 1.0;
-    Analysis analysis = analysis_of_sums(sums, type);
-    if (!facts.absolute) analysis[std::size_t(Quantity::kElevation)] = {};
+    statistics::Analysis analysis = analysis_of_sums(sums, type);
+    if (!facts.absolute) analysis[std::size_t(statistics::Quantity::kElevation)] = {};
     return library_->similarity(std::size_t(facts.in_library), analysis);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // Bits of Gene::turn.
 constexpr int kSwapped = 1, kWestward = 2, kNorthward = 4;
-constexpr double kFade = 1.5;  // cells: how far types reach into each other
+constexpr double kFade = 1.5;  // cells: how far types fade into each other
 constexpr float kNothing = 0.01f;
 
 }  // namespace
@@ -57,7 +57,7 @@ GeneGrid grid_of(const Field<std::uint8_t>& types, int side, int overlap) {
         Field<float> weight(grid.width, grid.height);
         std::ranges::transform(types, weight.begin(),
                                [&](std::uint8_t t) { return t == type ? 1.0f : 0.0f; });
-        if (grid.types.size() > 1) weight = blurred(weight, kFade);
+        if (grid.types.size() > 1) weight = statistics::blurred(weight, kFade);
         for (float& w : weight)
             if (w < kNothing) w = 0.0f;
         grid.weights.push_back(std::move(weight));

@@ -23,7 +23,8 @@ Field<std::uint8_t> types_of(const Regions& regions) {
     return types;
 }
 
-// The widest gene, up to the one asked for, that every type has room to choose.
+// The widest gene, at most the requested one, for which every type has enough positions
+// to choose from.
 int side_of(const LevelSamples& samples, const Regions& regions, int asked) {
     int side = asked;
     for (const int type : regions.types) {
@@ -37,7 +38,7 @@ int side_of(const LevelSamples& samples, const Regions& regions, int asked) {
     return std::max(side, kLeastSide);
 }
 
-// Samples that no gene fits into are no use.
+// Removes samples that are too small for a gene.
 LevelSamples fitting(LevelSamples samples, int side) {
     for (auto& own : samples.of_type)
         std::erase_if(own, [&](int index) {
@@ -47,15 +48,15 @@ LevelSamples fitting(LevelSamples samples, int side) {
     return samples;
 }
 
-// What a level hands to the next.
+// What a level was made with, for the next one.
 struct Before {
-    const GeneGrid* grid;
-    const LevelSamples* samples;
-    const Chromosome* genes;
+    std::unique_ptr<GeneGrid> grid;
+    std::unique_ptr<LevelSamples> samples;
+    std::unique_ptr<Chromosome> genes;  // null where texture made the level
 };
 
-// For each gene the one that goes on with the land which the coarser level has there
-// (across levels: its VII.9).
+// For each slot the gene that continues the coarser level's land there (coherence across
+// levels, a wish of section VII.9).
 std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
                                                  const LevelSamples& samples,
                                                  const Before& before, int ratio) {
@@ -83,7 +84,7 @@ std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
         if (found == index_of.end()) continue;
         gene.sample = found->second;
         const Sample& sample = samples.all[std::size_t(gene.sample)];
-        // A model read smaller is other land than on the level before.
+        // A model that is read smaller has other land here than on the level before.
         if (sample.smaller || std::min(sample.width(), sample.height()) < grid.side)
             continue;
         gene = kept_inside(gene, grid.side, sample);
@@ -93,7 +94,7 @@ std::vector<std::optional<Gene>> inherited_genes(const GeneGrid& grid,
     return inherited;
 }
 
-// The coarser level's land stays as it was (section IV.3.3.6).
+// Makes the means of the finer land equal to the coarser level's land (section IV.3.3.6).
 void conform(Field<float>& heights, const Field<float>& coarse, int times) {
     Field<float> off = coarser(heights, times);
     for (std::size_t i = 0; i < off.size(); ++i) off[i] = coarse[i] - off[i];
@@ -103,8 +104,8 @@ void conform(Field<float>& heights, const Field<float>& coarse, int times) {
 
 double seam_energy_of(const Field<float>& h, const GeneGrid& grid, const Chromosome& c,
                       const Field<std::uint8_t>& types) {
-    // Bends east and south of each cell, by whether a seam lies there; a type at a time,
-    // as some bend more than others.
+    // Compares the bends to the east and south of each cell where there is a seam and
+    // where there is none; for each type separately, as some bend more than others.
     double weighted = 0.0, seams = 0.0;
     for (std::size_t layer = 0; layer < grid.types.size(); ++layer) {
         double at = 0.0, inside = 0.0;
@@ -141,6 +142,106 @@ double seam_energy_of(const Field<float>& h, const GeneGrid& grid, const Chromos
     }
     return seams > 0.0 ? weighted / seams : 0.0;
 }
+
+// Makes the levels of a height field one after another, coarse to fine.
+class LevelBuilder {
+  public:
+    // The arguments must outlive it.
+    LevelBuilder(int ratio, const EvolutionOptions& options,
+                 const PlacedFeatures& features, std::uint64_t seed, Progress& progress)
+        : ratio_(ratio),
+          options_(options),
+          features_(features),
+          seed_(seed),
+          progress_(progress) {}
+
+    // Makes a level by the genetic algorithm: the base level around the heights of its
+    // regions, any other as detail on the level before.
+    void evolve(std::size_t level, const LevelSamples& samples, const Regions& regions) {
+        const bool is_base = done_.empty();
+        const int side = side_of(samples, regions, options_.gene);
+        std::optional<Base> base;
+        if (is_base) base = base_of(samples, regions);
+        auto own = std::make_unique<LevelSamples>(
+            fitting(is_base ? base->samples : samples, side));
+        const Field<std::uint8_t> types = types_of(regions);
+        auto grid = std::make_unique<GeneGrid>(grid_of(types, side, overlap_of(side)));
+        const Field<float> pattern =
+            is_base ? base->pattern
+                    : finer(done_.back().heights, ratio_, types.width(), types.height());
+        const Fitness fitness(
+            *grid, *own, pattern, regions,
+            is_base ? Fitness::Follows::kElevation : Fitness::Follows::kShape,
+            options_.alpha);
+        Evolved result = evolved(fitness, inherited_by(*grid, *own), options_,
+                                 seed_of(level), progress_);
+
+        LevelDone now;
+        now.spacing = samples.spacing, now.side = side;
+        now.genes = int(grid->slots.size());
+        now.generations = std::move(result.generations);
+        now.heights = Field<float>(types.width(), types.height());
+        result.best.detail(0, 0, types.width(), types.height(), now.heights.data());
+        if (is_base)
+            lay_base(now.heights, *base);
+        else
+            lay_detail(now.heights, pattern);
+        now.seam_energy = seam_energy_of(now.heights, *grid, result.best, types);
+        finish(std::move(now));
+        before_ = {std::move(grid), std::move(own),
+                   std::make_unique<Chromosome>(std::move(result.best))};
+    }
+
+    // Makes a level by texture, directly from the last one that was made by genes.
+    void refine(std::size_t level, double spacing, const Regions& regions,
+                const ByTexture& texture) {
+        LevelDone now;
+        now.spacing = spacing, now.by_texture = true;
+        now.heights = texture.refined({before_.grid.get(), before_.samples.get(),
+                                       before_.genes.get(), &done_.back().heights},
+                                      types_of(regions), seed_of(level), progress_);
+        conform(now.heights, done_.back().heights,
+                int(std::lround(done_.back().spacing / spacing)));
+        finish(std::move(now));
+        before_.genes.reset();
+    }
+
+    std::vector<LevelDone> taken() { return std::move(done_); }
+
+  private:
+    int overlap_of(int side) const {
+        return std::clamp(int(std::lround(options_.overlap * side)), 2, side / 2);
+    }
+    std::uint64_t seed_of(std::size_t level) const {
+        return hash_of({seed_, key("level"), level});
+    }
+    std::vector<std::optional<Gene>> inherited_by(const GeneGrid& grid,
+                                                  const LevelSamples& samples) const {
+        if (!before_.genes) return std::vector<std::optional<Gene>>(grid.slots.size());
+        return inherited_genes(grid, samples, before_, ratio_);
+    }
+    // Adds the chunks, which are relative to their type's mean, to the regions' heights.
+    static void lay_base(Field<float>& heights, const Base& base) {
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            heights[i] = base.pattern[i] + base.own[i] * heights[i];
+    }
+    void lay_detail(Field<float>& heights, const Field<float>& pattern) const {
+        for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += pattern[i];
+        conform(heights, done_.back().heights, ratio_);
+    }
+    void finish(LevelDone now) {
+        if (features_) features_(now.heights, now.spacing);
+        done_.push_back(std::move(now));
+    }
+
+    int ratio_;
+    const EvolutionOptions& options_;
+    const PlacedFeatures& features_;
+    std::uint64_t seed_;
+    Progress& progress_;
+    std::vector<LevelDone> done_;
+    Before before_;
+};
 
 }  // namespace
 
@@ -193,86 +294,27 @@ int base_level(const std::vector<LevelSamples>& samples, const Regions& regions,
 std::vector<LevelDone> height_field(const Regions& regions,
                                     const std::vector<LevelSamples>& samples, int ratio,
                                     const EvolutionOptions& options,
-                                    const Features& features, const ByTexture* texture,
-                                    double texture_from, double texture_to,
-                                    std::uint64_t seed, Progress& progress) {
+                                    const PlacedFeatures& features,
+                                    const ByTexture* texture, double texture_from,
+                                    double texture_to, std::uint64_t seed,
+                                    Progress& progress) {
     std::vector<Regions> at_level(samples.size());
     at_level.back() = regions;
     for (std::size_t level = samples.size() - 1; level-- > 0;)
         at_level[level] = coarser(at_level[level + 1], ratio);
 
-    std::vector<LevelDone> done;
-    // What a level was made with, for the next.
-    std::unique_ptr<GeneGrid> grid;
-    std::unique_ptr<LevelSamples> used;
-    std::unique_ptr<Chromosome> genes;
+    LevelBuilder builder(ratio, options, features, seed, progress);
     for (std::size_t level = 0; level < samples.size(); ++level) {
-        const Regions& here = at_level[level];
-        const bool is_base = level == 0;
         const double spacing = samples[level].spacing;
         progress.step(fmt::format("genetic: {:.4g} m", spacing));
-        if (texture && spacing < 0.99 * texture_from && spacing > 0.99 * texture_to) {
-            if (spacing > 1.01 * texture_to) continue;
-            // All levels down to there at once.
-            const Field<std::uint8_t> types = types_of(here);
-            LevelDone now;
-            now.spacing = spacing, now.by_texture = true;
-            now.heights = texture->refined(
-                {grid.get(), used.get(), genes.get(), &done.back().heights}, types,
-                hash_of({seed, key("level"), level}), progress);
-            conform(now.heights, done.back().heights,
-                    int(std::lround(done.back().spacing / spacing)));
-            if (features) features(now.heights, spacing);
-            done.push_back(std::move(now));
-            genes.reset();
-            continue;
-        }
-        const int side = side_of(samples[level], here, options.gene);
-        std::optional<Base> base;
-        if (is_base) base = base_of(samples[level], here);
-        auto own = std::make_unique<LevelSamples>(
-            fitting(is_base ? base->samples : samples[level], side));
-        const Field<std::uint8_t> types = types_of(here);
-        const int overlap =
-            std::clamp(int(std::lround(options.overlap * side)), 2, side / 2);
-        auto slots = std::make_unique<GeneGrid>(grid_of(types, side, overlap));
-        const Field<float> pattern =
-            is_base ? base->pattern
-                    : finer(done.back().heights, ratio, types.width(), types.height());
-        const Fitness fitness(
-            *slots, *own, pattern, here,
-            is_base ? Fitness::Follows::kElevation : Fitness::Follows::kShape,
-            options.alpha);
-        const auto inherited =
-            is_base || !genes
-                ? std::vector<std::optional<Gene>>(slots->slots.size())
-                : inherited_genes(*slots, *own, {grid.get(), used.get(), genes.get()},
-                                  ratio);
-        Evolved result = evolved(fitness, inherited, options,
-                                 hash_of({seed, key("level"), level}), progress);
-
-        LevelDone now;
-        now.spacing = spacing, now.side = side, now.genes = int(slots->slots.size());
-        now.generations = std::move(result.generations);
-        now.heights = Field<float>(types.width(), types.height());
-        result.best.detail(0, 0, types.width(), types.height(), now.heights.data());
-        if (is_base) {
-            // Chunks about their type's mean, and the slopes between regions.
-            const Field<float>& own_share = base->own;
-            for (std::size_t i = 0; i < now.heights.size(); ++i)
-                now.heights[i] = pattern[i] + own_share[i] * now.heights[i];
-        } else {
-            for (std::size_t i = 0; i < now.heights.size(); ++i)
-                now.heights[i] += pattern[i];
-            conform(now.heights, done.back().heights, ratio);
-        }
-        now.seam_energy = seam_energy_of(now.heights, *slots, result.best, types);
-        if (features) features(now.heights, spacing);
-        done.push_back(std::move(now));
-        used = std::move(own), grid = std::move(slots);
-        genes = std::make_unique<Chromosome>(std::move(result.best));
+        const bool by_texture =
+            texture && spacing < 0.99 * texture_from && spacing > 0.99 * texture_to;
+        if (!by_texture)
+            builder.evolve(level, samples[level], at_level[level]);
+        else if (spacing <= 1.01 * texture_to)  // the levels before come with this one
+            builder.refine(level, spacing, at_level[level], *texture);
     }
-    return done;
+    return builder.taken();
 }
 
 }  // namespace cydonia::genetic

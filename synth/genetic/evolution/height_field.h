@@ -14,38 +14,41 @@
 
 namespace cydonia::genetic {
 
-// One level of detail, done.
+// A finished level of detail.
 struct LevelDone {
     double spacing = 0.0;  // metres
     Field<float> heights;
     int genes = 0, side = 0;
     std::vector<Generation> generations;
-    // How sharply the land bends where two genes meet that do not go on with the same
-    // land, over how it bends elsewhere; 0 without such seams.
+    // How sharply the land bends at seams between genes of different land, divided by how
+    // it bends elsewhere; 0 without such seams.
     double seam_energy = 0.0;
     bool by_texture = false;
 };
 
-// What points and curves make of the land of a level; may be empty.
-using Features = std::function<void(Field<float>& heights, double spacing)>;
+// Applies placed points and curves to the land of a level; may be empty.
+using PlacedFeatures = std::function<void(Field<float>& heights, double spacing)>;
 
-// Builds a height field level by level (section IV.3.3). `regions`: on the finest level's
-// cells. The last of the result is the land. `samples` coarse to fine, the first the base
-// level's.
+// Builds a height field level by level (section IV.3.3); the last level of the result is
+// the land. `regions` are on the finest level's cells. `samples` go from the base level
+// to the finest. Where `texture` is not null, it makes the levels finer than
+// `texture_from` down to `texture_to` (metres).
 std::vector<LevelDone> height_field(const Regions& regions,
                                     const std::vector<LevelSamples>& samples, int ratio,
                                     const EvolutionOptions& options,
-                                    const Features& features, const ByTexture* texture,
-                                    double texture_from, double texture_to,
-                                    std::uint64_t seed, Progress& progress);
+                                    const PlacedFeatures& features,
+                                    const ByTexture* texture, double texture_from,
+                                    double texture_to, std::uint64_t seed,
+                                    Progress& progress);
 
-// The coarsest of the levels that has land enough for every used type and at least a few
-// cells of terrain: levels are `ratio` times finer from one to the next, the last
-// `finest` metres; none is coarser than `coarsest`.
+// The coarsest level with enough land for every used type and at least a few cells of
+// terrain, and whose spacing is at most `coarsest`. Each level is `ratio` times finer
+// than the one before, and the last has width x height cells.
 int base_level(const std::vector<LevelSamples>& samples, const Regions& regions,
                int width, int height, int ratio, double coarsest);
 
-// Regions on cells `ratio` times wider, each the one that most of its cells are of.
+// Regions on cells `ratio` times as wide. A cell gets the region that most of its finer
+// cells have.
 Regions coarser(const Regions& regions, int ratio);
 
 }  // namespace cydonia::genetic

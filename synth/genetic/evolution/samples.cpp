@@ -15,11 +15,14 @@ namespace {
 
 using texture::Model;
 
-constexpr int kShortest = 4;  // cells of a sample that genes are taken from
+constexpr int kShortest =
+    4;  // cells: shortest side of a sample from which genes are taken
 constexpr std::uint64_t kMostCells = 1u << 27;
-// Models that are coarser than a level by less are resampled, not read smaller.
+// Models that are coarser than a level by less than this factor are resampled; others are
+// read smaller.
 constexpr double kNearlyAsFine = 1.34;
-constexpr double kLeastFall = 0.2, kMostFall = 0.5;  // of detail, from level to level
+constexpr double kLeastFall = 0.2,
+                 kMostFall = 0.5;  // of roughness, from one level to the next
 
 Field<double> summed(const Field<float>& heights) {
     Field<double> sums(heights.width() + 1, heights.height() + 1);
@@ -62,8 +65,9 @@ Model model_of(const Example& example, Progress& progress) {
             kShortest);
     const auto [low, high] = std::ranges::minmax(heights);
     if (!(double(high) - low < 1e6))
-        throw bad_request("{}: its heights go from {:g} to {:g} m, which is no land",
-                          name, low, high);
+        throw bad_request(
+            "{}: its heights go from {:g} to {:g} m, which no land does: check its unit",
+            name, low, high);
     return model;
 }
 
@@ -91,7 +95,8 @@ Field<std::uint8_t> coarser_voids(const Field<std::uint8_t>& fine, int ratio) {
     return result;
 }
 
-// One example on all levels, the coarsest first; null where it has too few cells.
+// One example on all levels, the coarsest first; null at levels where it has too few
+// cells.
 std::vector<Sample> levels_of(const std::string& name, Model model, int type, int example,
                               double spacing, int ratio, int levels) {
     std::vector<Sample> result(static_cast<std::size_t>(levels),
@@ -105,7 +110,8 @@ std::vector<Sample> levels_of(const std::string& name, Model model, int type, in
         model = texture::resampled(model, own);
     const Field<float>& all = model.terrain.heights;
 
-    // Cells of all levels nest, so that land keeps its place from level to level.
+    // The cells of all levels are nested, so that land keeps its position from level to
+    // level.
     int step = 1;
     for (int level = finest;
          level > 0 && std::min(all.width(), all.height()) >= step * ratio * kShortest;

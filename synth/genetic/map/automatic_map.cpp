@@ -12,10 +12,10 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr int kRelaxations = 3;  // Lloyd's
+constexpr int kRelaxations = 3;  // rounds of Lloyd's algorithm
 constexpr int kWaves = 4;
 
-// What is left of a convex polygon on the side of `own` of the line half way to `other`.
+// The part of a convex polygon that is nearer to `own` than to `other`.
 std::vector<Point2> nearer(const std::vector<Point2>& polygon, const Point2& own,
                            const Point2& other) {
     const double nx = other[0] - own[0], ny = other[1] - own[1];
@@ -89,8 +89,8 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
     }
     const auto cells = voronoi(sites, width, depth);
 
-    // Heights of a land of a few long waves say who lies high: neighbours then lie alike,
-    // and every type gets as much land.
+    // Regions are ranked by the height of a smooth land of a few long waves, so that
+    // neighbours get similar types and every type gets the same area.
     const auto lie = [&](const Point2& p) {
         double sum = 0.0;
         for (int k = 0; k < kWaves; ++k) {
@@ -112,7 +112,7 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
     MapOptions map;
     map.window = {0.0, 0.0, width, depth};
     map.regions.resize(sites.size());
-    double below = 0.0;  // area of the regions that lie lower, of them all
+    double below = 0.0;  // area of the regions that are lower, as a share of all
     for (const std::size_t site : order) {
         const double share = area_of(cells[site]) / (width * depth);
         const auto rank = std::size_t((below + 0.5 * share) * double(types.size()));
@@ -122,7 +122,7 @@ MapOptions automatic_map(const LibraryOptions& library, const std::vector<double
         map.regions[site] = {fmt::format("{} {}", type, site + 1), type, {cells[site]}};
     }
     std::erase_if(map.regions,
-                  [](const Region& r) { return r.outlines.front().size() < 3; });
+                  [](const MapRegion& r) { return r.outlines.front().size() < 3; });
     return map;
 }
 

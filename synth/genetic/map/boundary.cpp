@@ -12,25 +12,26 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kPopulation = 5, kCycles = 20;      // docs/papers.md, Saunders 2006, 2
-constexpr int kGenes = 12;                        // of one run
-constexpr double kSteepest = 60.0 * kPi / 180.0;  // the absolute angle limit
+constexpr int kGenes = 12;                        // of one run, at most
+constexpr double kSteepest = 60.0 * kPi / 180.0;  // the thesis' absolute angle limit
 constexpr double kOffset = 1.1;                   // of eq. IV.3
 constexpr double kCourse = 0.5;                   // weight in the fitness
-// What leaves its room is no fitter than the first, all else is fitter.
+// Fitness below which a boundary leaves its room; all others are fitter.
 constexpr double kBad = -10.0, kWorst = -1e3;
-constexpr int kSofter = 6;          // tries to bend less and stay in it
-constexpr double kLeastBent = 0.3;  // at the start, of the absolute angle limit
+constexpr int kSofter = 6;          // attempts to bend less and stay inside the room
+constexpr double kLeastBent = 0.3;  // first bends, as a share of the absolute angle limit
 constexpr double kRounding = 1e-9;
-constexpr double kOfFree = 0.45;  // of the angle to the next boundary at a corner
+constexpr double kOfFree = 0.45;  // share of the angle to the next boundary at a corner
 
-// Eq. IV.3; alpha is meant as its size (docs/papers.md).
+// Eq. IV.3, with |alpha| for alpha (docs/papers.md, Saunders 2006, 1).
 double smooth(double turn, double s) {
     return std::sin((kPi - std::abs(turn)) * (kOffset - s));
 }
 
-// What a line along the x axis from 0 to 1 has around it. Convex: chords stay in it.
+// The room around a line along the x axis from 0 to 1. It is convex, so that chords stay
+// inside.
 struct Room {
-    double envelope;               // of the line's length
+    double envelope;               // share of the line's length
     std::array<double, 2> slopes;  // most |y| over the distance from each end
 
     double beyond(const Point2& p) const {
@@ -38,12 +39,12 @@ struct Room {
                std::min({envelope, slopes[0] * p[0], slopes[1] * (1.0 - p[0])});
     }
 };
-// Of a part of a boundary. Parts are no steeper than kSteepest towards the whole, and
-// these kites no wider than 2 * 22 degrees at their ends: each then keeps to a stretch of
-// the whole's axis of its own, and no two parts can cross.
+// The room of a part of a boundary. A part is no steeper than kSteepest against the
+// whole, and this kite is no wider than 2 * 22 degrees at its ends. Each part then keeps
+// to its own stretch of the whole's axis, and no two parts can cross.
 constexpr Room kPart{0.2, {0.4, 0.4}};
 
-// The x axis from 0 to 1 as it lies elsewhere: turned and scaled by a complex number.
+// A frame: the x axis from 0 to 1, moved, and turned and scaled by a complex number.
 struct Frame {
     Point2 from, way;
 
@@ -51,7 +52,7 @@ struct Frame {
         return {from[0] + p[0] * way[0] - p[1] * way[1],
                 from[1] + p[0] * way[1] + p[1] * way[0]};
     }
-    // Where this frame's axis lies seen from another one's.
+    // This frame as seen from another one.
     Frame seen_from(const Frame& other) const {
         const double square = other.way[0] * other.way[0] + other.way[1] * other.way[1];
         const auto over = [&](const Point2& p) -> Point2 {
@@ -62,7 +63,7 @@ struct Frame {
     }
 };
 
-// Points of a chromosome along the x axis from 0 to 1 (eq. IV.4).
+// The points of a chromosome along the x axis from 0 to 1 (eq. IV.4).
 void decode(const std::vector<double>& turns, std::vector<Point2>& points) {
     points.assign(1, {0.0, 0.0});
     double angle = 0.0;
@@ -77,10 +78,10 @@ void decode(const std::vector<double>& turns, std::vector<Point2>& points) {
         p = {(p[0] * ex + p[1] * ey) / square, (p[1] * ex - p[0] * ey) / square};
 }
 
-// One run's task: along the x axis from 0 to 1.
+// The task of one run, along the x axis from 0 to 1.
 struct Run {
     double smoothness;
-    // Its own, and those of all that it is a part of, as they lie seen from there.
+    // Its own room, and those of all boundaries that it is a part of, with their frames.
     std::vector<std::pair<Room, Frame>> rooms;
     std::array<double, 2> course;
     std::array<bool, 2> has_course;
@@ -92,7 +93,7 @@ double turn_at(const std::vector<Point2>& p, std::size_t i, std::size_t step) {
     return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
-// Of a chromosome and its points.
+// The fitness of a chromosome with these points.
 double fitness(const std::vector<double>& turns, const std::vector<Point2>& p,
                const Run& run) {
     static const double kSteep = std::tan(kSteepest);
@@ -105,8 +106,8 @@ double fitness(const std::vector<double>& turns, const std::vector<Point2>& p,
         for (std::size_t i = 1; i + 1 < p.size(); ++i)
             beyond = std::max(beyond, room.beyond(frame(p[i])));
     if (beyond > kRounding) return std::max(kWorst, kBad - beyond);
-    // At several scales, so that it bends as much from far and from near (VI.1.2); the
-    // finest one's turns are the genes.
+    // The sharpness is measured at several scales, so that the boundary looks equally
+    // rough from far and near (VI.1.2). The turns at the finest scale are the genes.
     double sum = 0.0;
     int scales = 0;
     for (std::size_t step = 1; 2 * step < p.size(); step *= 2, ++scales) {
@@ -183,7 +184,7 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
                 std::copy(other.begin() + std::ptrdiff_t(at), other.end(),
                           child.begin() + std::ptrdiff_t(at));
             }
-            // Bends, made good by the next turn or not.
+            // A bend, which the next turn may undo.
             const std::size_t bends = 1 + dice.below(3);
             for (std::size_t b = 0; b < bends; ++b) {
                 const std::size_t at = dice.below(n);
@@ -195,8 +196,9 @@ std::vector<Point2> evolved(const Run& run, int genes, std::uint64_t seed) {
         }
         rank();
     }
-    // The straight line keeps to all limits. It is not among the others, for from S = 0.6
-    // on none is as smooth, and every boundary would stay straight.
+    // The straight line keeps within all limits. It is not a member of the population,
+    // because from S = 0.6 on nothing else is as smooth, and every boundary would stay
+    // straight.
     if (population.front().fitness <= kBad) population.front().turns.assign(n, 0.0);
     decode(population.front().turns, points);
     points.front() = {0.0, 0.0}, points.back() = {1.0, 0.0};
@@ -208,7 +210,7 @@ class Refinement {
     Refinement(const StraightBoundary& boundary, std::vector<Point2>& line)
         : boundary_(boundary), line_(line) {}
 
-    // Appends what replaces the straight line from the last point to `to`.
+    // Appends the points that replace the straight line from the last point to `to`.
     void add(const Point2& to, const Room& room, const std::array<double, 2>& course,
              const std::array<bool, 2>& has_course, std::uint64_t seed) {
         const Point2 from = line_.back();
@@ -231,7 +233,7 @@ class Refinement {
         const std::vector<Point2> points =
             evolved(run, int(std::clamp(parts, 2.0, double(kGenes))), seed);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            // What is left of the course at the ends, when the part has turned there.
+            // The course at the ends as seen from the part, which is turned itself.
             const double turned = std::atan2(points[i + 1][1] - points[i][1],
                                              points[i + 1][0] - points[i][0]);
             const bool first = i == 0, last = i + 2 == points.size();
@@ -253,7 +255,8 @@ class Refinement {
 
     const StraightBoundary& boundary_;
     std::vector<Point2>& line_;
-    std::vector<std::pair<Room, Frame>> around_;  // the whole, its part, its part's part
+    std::vector<std::pair<Room, Frame>>
+        around_;  // of the whole, its part, that one's part ...
 };
 
 double cross(const Point2& o, const Point2& a, const Point2& b) {
@@ -272,8 +275,8 @@ bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
 }  // namespace
 
 std::optional<Point2> crossing_of(const std::vector<Point2>& line) {
-    // Segments by where they begin, each against those that begin before it ends; along
-    // the axis that they extend less along.
+    // Segments are sorted by their begin along the axis along which they are shorter, and
+    // each is compared with those that begin before it ends.
     const std::size_t n = line.size() < 2 ? 0 : line.size() - 1;
     Point2 sum{};
     for (std::size_t i = 0; i < n; ++i)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "field/cells_inside.h"
@@ -17,25 +17,25 @@ namespace cydonia::genetic {
 namespace {
 
 constexpr int kNobody = -1;
-constexpr double kNarrow = 4.0;  // cells: no gene could show what a type is like
+constexpr double kNarrow = 4.0;  // cells: too narrow for a gene to show the type
 
 int type_called(const LibraryOptions& library, const std::string& name) {
     const auto found = std::ranges::find(library.types, name, &TypeOptions::name);
     return found == library.types.end() ? kNobody : int(found - library.types.begin());
 }
 
-// Cells whose middles are inside an odd number of outlines.
+// Calls put(column, row) for cells whose centres are inside an odd number of outlines.
 void fill(const Drawn& drawn, const Extent& extent, const auto& put) {
     std::vector<std::vector<double>> crossings(std::size_t(extent.rows));
     const double s = extent.spacing, depth = extent.depth();
-    // The first of `cells` whose middle is not before `at`.
+    // The first cell whose centre is not before `at`, at most `cells`.
     const auto first_from = [](double at, int cells) {
         return int(std::clamp(std::ceil(at), 0.0, double(cells)));
     };
     for (const auto& outline : drawn.outlines)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
-            // Rows from the north.
+            // In rows, which count from the north.
             a[1] = (depth - a[1]) / s - 0.5, b[1] = (depth - b[1]) / s - 0.5;
             if (a[1] > b[1]) std::swap(a, b);
             const int last = first_from(b[1], extent.rows);
@@ -59,7 +59,7 @@ std::string percent(std::size_t cells, std::size_t of) {
     return fmt::format("{:.2g} %", 100.0 * double(cells) / double(of));
 }
 
-// The region that each cell is of, kNobody in gaps.
+// The region of each cell, kNobody in gaps.
 Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
                      const Extent& extent, Progress& progress) {
     Field<int> owners(extent.columns, extent.rows, kNobody);
@@ -71,7 +71,7 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
             if (owner != kNobody) ++overlaps[{owner, int(r)}];
             owner = int(r), ++own[r];
         });
-    // One within another, as an island in the sea, is meant.
+    // A region inside another, like an island in the sea, is intended.
     for (const auto& [pair, cells] : overlaps)
         if (cells < own[std::size_t(pair.second)])
             progress.warn(fmt::format("map: '{}' lies over '{}' on {} of the land",
@@ -81,8 +81,9 @@ Field<int> owners_of(const std::vector<Drawn>& drawn, const MapOptions& map,
     return owners;
 }
 
-// Each cell without a region goes to the nearest one: labels spread in sweeps with the
-// cell they came from (Danielsson 1980).
+// Gives each cell without a region to the nearest region. Labels spread in sweeps, each
+// with the cell it came from (Danielsson 1980). OpenCV's distanceTransform gives labels
+// with an approximate distance only, so borders would move.
 void close_gaps(Field<int>& owners, Progress& progress) {
     const auto gaps = std::size_t(std::ranges::count(owners, kNobody));
     if (gaps == 0) return;
@@ -127,7 +128,8 @@ void add_transitions(Field<std::uint8_t>& types, const LibraryOptions& library,
                   b = type_called(library, transition.b),
                   between = type_called(library, transition.type);
         if (a < 0 || b < 0 || between < 0) continue;
-        // Cells of either that have the other beside them, and what is near those.
+        // Marks cells of either type beside one of the other; what is near them becomes
+        // the type between.
         Field<std::uint8_t> away(types.width(), types.height(), 1);
         bool any = false;
         const auto touch = [&](int x, int y, int i, int j) {
@@ -148,49 +150,54 @@ void add_transitions(Field<std::uint8_t>& types, const LibraryOptions& library,
     }
 }
 
-struct Pieces {
+// Connected components of land of one type, numbered by their first cells, row by row.
+struct Components {
     Field<int> at;
     std::vector<MapRaster::Found> all;
 };
 
-Pieces pieces_of(const Field<std::uint8_t>& types) {
-    Pieces pieces{Field<int>(types.width(), types.height(), kNobody), {}};
-    std::vector<std::array<int, 2>> open;
+Components components_of(const Field<std::uint8_t>& types) {
+    Components components{Field<int>(types.width(), types.height(), kNobody), {}};
+    const cv::Mat all(types.height(), types.width(), CV_8U,
+                      const_cast<std::uint8_t*>(types.data()));
+    const std::set<std::uint8_t> present(types.begin(), types.end());
+    int labels_before = 0;
+    for (const std::uint8_t type : present) {
+        cv::Mat labels;
+        const int count = cv::connectedComponents(all == type, labels, 4, CV_32S);
+        for (int y = 0; y < types.height(); ++y)
+            for (int x = 0; x < types.width(); ++x)
+                if (types(x, y) == type)
+                    components.at(x, y) = labels_before + labels.at<int>(y, x);
+        labels_before += count;
+    }
+    // OpenCV numbers the components of each type separately and in its own order.
+    std::vector<int> numbers(std::size_t(labels_before), kNobody);
     for (int y = 0; y < types.height(); ++y)
         for (int x = 0; x < types.width(); ++x) {
-            if (pieces.at(x, y) != kNobody) continue;
-            const int number = int(pieces.all.size());
-            MapRaster::Found found;
-            found.type = types(x, y), found.inside = {x, y}, found.box = {x, y, x, y};
-            open.assign(1, {x, y});
-            pieces.at(x, y) = number;
-            while (!open.empty()) {
-                const auto [i, j] = open.back();
-                open.pop_back();
-                ++found.cells;
-                found.box = {std::min(found.box[0], i), std::min(found.box[1], j),
-                             std::max(found.box[2], i), std::max(found.box[3], j)};
-                for (const auto [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-                    const int p = i + dx, q = j + dy;
-                    if (!types.contains(p, q) || pieces.at(p, q) != kNobody ||
-                        types(p, q) != types(x, y))
-                        continue;
-                    pieces.at(p, q) = number;
-                    open.push_back({p, q});
-                }
+            int& number = numbers[std::size_t(components.at(x, y))];
+            if (number == kNobody) {
+                number = int(components.all.size());
+                components.all.push_back(
+                    {.type = types(x, y), .box = {x, y, x, y}, .inside = {x, y}});
             }
-            pieces.all.push_back(found);
+            components.at(x, y) = number;
+            MapRaster::Found& found = components.all[std::size_t(number)];
+            ++found.cells;
+            found.box = {std::min(found.box[0], x), found.box[1],
+                         std::max(found.box[2], x), y};
         }
-    return pieces;
+    return components;
 }
 
-// Specks that a refined boundary cuts off go to the land around them.
+// Gives specks that a refined boundary cuts off to the land around them.
 void drop_specks(Field<std::uint8_t>& types) {
-    const Pieces pieces = pieces_of(types);
+    const Components components = components_of(types);
     constexpr std::size_t kSpeck = 4;  // cells
     for (int y = 0; y < types.height(); ++y)
         for (int x = 0; x < types.width(); ++x) {
-            if (pieces.all[std::size_t(pieces.at(x, y))].cells >= kSpeck) continue;
+            if (components.all[std::size_t(components.at(x, y))].cells >= kSpeck)
+                continue;
             for (const auto [dx, dy] : {std::array{-1, 0}, {0, -1}, {1, 0}, {0, 1}})
                 if (types.contains(x + dx, y + dy) &&
                     types(x + dx, y + dy) != types(x, y)) {
@@ -210,17 +217,18 @@ std::string some_of(const std::vector<std::string>& all) {
                        more);
 }
 
-// Which of the drawn regions each piece is of, most of it.
-void name_pieces(Pieces& pieces, const Field<int>& owners, const MapOptions& map,
-                 const LibraryOptions& library, Progress& progress) {
-    std::vector<std::map<int, std::size_t>> counts(pieces.all.size());
+// Names each component after the drawn region that most of it belongs to.
+void name_components(Components& components, const Field<int>& owners,
+                     const MapOptions& map, const LibraryOptions& library,
+                     Progress& progress) {
+    std::vector<std::map<int, std::size_t>> counts(components.all.size());
     for (std::size_t i = 0; i < owners.size(); ++i)
-        ++counts[std::size_t(pieces.at[i])][owners[i]];
+        ++counts[std::size_t(components.at[i])][owners[i]];
     std::vector<int> times(map.regions.size());
     std::set<std::string> taken;
     std::vector<std::string> merged;
-    for (std::size_t p = 0; p < pieces.all.size(); ++p) {
-        MapRaster::Found& found = pieces.all[p];
+    for (std::size_t p = 0; p < components.all.size(); ++p) {
+        MapRaster::Found& found = components.all[p];
         int most = kNobody;
         for (const auto& [owner, cells] : counts[p]) {
             const bool own_type =
@@ -252,8 +260,8 @@ void name_pieces(Pieces& pieces, const Field<int>& owners, const MapOptions& map
         progress.note(fmt::format("map: {} regions have no cell of their own here: {}",
                                   vanished.size(), some_of(vanished)));
     if (!split.empty())
-        progress.note(fmt::format("map: {} regions fall apart here: {}", split.size(),
-                                  some_of(split)));
+        progress.note(fmt::format("map: {} regions fall into several parts here: {}",
+                                  split.size(), some_of(split)));
 }
 
 }  // namespace
@@ -263,7 +271,7 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
     if (map.regions.empty())
         throw bad_request("the map has no regions; draw at least one");
     std::vector<std::uint8_t> types;
-    for (const Region& region : map.regions) {
+    for (const MapRegion& region : map.regions) {
         const int type = type_called(library, region.type);
         if (type == kNobody)
             throw bad_request("region '{}': the library has no type '{}'", region.name,
@@ -284,11 +292,11 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
         raster.types[i] = types[std::size_t(owners[i])];
     add_transitions(raster.types, library, extent.spacing);
     drop_specks(raster.types);
-    Pieces pieces = pieces_of(raster.types);
-    name_pieces(pieces, owners, map, library, progress);
+    Components components = components_of(raster.types);
+    name_components(components, owners, map, library, progress);
 
     raster.distances = Field<float>(extent.columns, extent.rows);
-    std::vector<float> widest(pieces.all.size());
+    std::vector<float> widest(components.all.size());
     const std::set<std::uint8_t> present(raster.types.begin(), raster.types.end());
     for (const std::uint8_t type : present) {
         Field<std::uint8_t> mask(extent.columns, extent.rows);
@@ -297,21 +305,22 @@ MapRaster rasterised(const MapOptions& map, const LibraryOptions& library,
         const Field<float> inside = cells_inside(mask, true);
         for (std::size_t i = 0; i < mask.size(); ++i)
             if (mask[i]) {
-                // From a cell's middle to the side of one of another type.
+                // The distance from the cell's centre to the side of a cell of another
+                // type.
                 raster.distances[i] = float((inside[i] - 0.5) * extent.spacing);
-                float& most = widest[std::size_t(pieces.at[i])];
+                float& most = widest[std::size_t(components.at[i])];
                 most = std::max(most, inside[i]);
             }
     }
-    for (std::size_t p = 0; p < pieces.all.size(); ++p)
+    for (std::size_t p = 0; p < components.all.size(); ++p)
         if (widest[p] < kNarrow)
             progress.warn(
                 fmt::format("map: '{}' is nowhere wider than {:.0f} samples of {:.4g} m: "
                             "smaller than "
                             "a gene, it will hardly be like its type",
-                            pieces.all[p].name, 2.0f * widest[p], extent.spacing));
-    raster.regions = std::move(pieces.at);
-    raster.all = std::move(pieces.all);
+                            components.all[p].name, 2.0f * widest[p], extent.spacing));
+    raster.regions = std::move(components.at);
+    raster.all = std::move(components.all);
     return raster;
 }
 

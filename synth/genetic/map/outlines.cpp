@@ -14,11 +14,13 @@
 namespace cydonia::genetic {
 namespace {
 
-constexpr double kSame = 1e-6;  // of the terrain's larger side: corners so near are one
-constexpr double kFlat = 1e-9;  // an outline's area, of its sides' squares
-constexpr double kFarthest = 1e9;  // a corner, of the terrain's larger side
-constexpr double kUnseen = 0.1;    // of a cell: bends that no cell tells of
-// Of the room to its neighbours, that a boundary may use.
+constexpr double kSame =
+    1e-6;  // share of the terrain's larger side: nearer corners are one
+constexpr double kFlat =
+    1e-9;  // least area of an outline, as a share of its sides' squares
+constexpr double kFarthest = 1e9;  // of a corner, in larger sides of the terrain
+constexpr double kUnseen = 0.1;    // share of a cell: smaller bends are invisible
+// The share of the room to its neighbours that a boundary may use.
 constexpr double kClear = 0.45;
 
 double distance(const Point2& a, const Point2& b) {
@@ -32,7 +34,7 @@ double distance_to(const Point2& p, const Point2& a, const Point2& b) {
     return distance(p, {a[0] + t * dx, a[1] + t * dy});
 }
 
-// All corners of a map, each once.
+// All corners of a map. Corners at the same position are one.
 class Corners {
   public:
     explicit Corners(double same) : same_(same) {}
@@ -52,7 +54,7 @@ class Corners {
         return int(points_.size()) - 1;
     }
     const Point2& operator[](int i) const { return points_[std::size_t(i)]; }
-    // Along an axis, for searches.
+    // The corners sorted along an axis, for searches.
     std::vector<int> in_order(std::size_t axis) const {
         std::vector<int> order(points_.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
@@ -63,7 +65,7 @@ class Corners {
 
   private:
     std::pair<std::int64_t, std::int64_t> cell_of(const Point2& p) const {
-        // Cells so large that nearly always one of them is all that is near.
+        // Cells are so large that one of them nearly always holds everything nearby.
         return {std::int64_t(std::floor(p[0] / (16.0 * same_))),
                 std::int64_t(std::floor(p[1] / (16.0 * same_)))};
     }
@@ -77,7 +79,7 @@ using Edge = std::pair<int, int>;  // the lower corner first
 
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Corners of others that lie on a loop's edges become its own.
+// Adds to a loop the corners of other loops that lie on its edges.
 Loop with_corners_on(const Loop& loop, const Corners& corners,
                      const std::array<std::vector<int>, 2>& orders, double same) {
     Loop result;
@@ -85,7 +87,7 @@ Loop with_corners_on(const Loop& loop, const Corners& corners,
         const int from = loop[i], to = loop[(i + 1) % loop.size()];
         const Point2 &a = corners[from], &b = corners[to];
         std::vector<std::pair<double, int>> between;
-        // Of the corners beside it and those above and below it, the fewer.
+        // Searches along the axis on which fewer corners are in range.
         const auto near = [&](std::size_t axis) {
             const auto place = [&](int corner) { return corners[corner][axis]; };
             return std::ranges::subrange(
@@ -114,7 +116,8 @@ void refuse_bad(const Loop& loop, const Corners& corners, const std::string& nam
     double area = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Point2 &a = corners[loop[i]], &b = corners[loop[(i + 1) % loop.size()]];
-        // Seen from its first corner, so that far from the window nothing is lost.
+        // Relative to its first corner, so that nothing is lost by rounding far from the
+        // window.
         const Point2& o = corners[loop[0]];
         area += (a[0] - o[0]) * (b[1] - o[1]) - (b[0] - o[0]) * (a[1] - o[1]);
         squares += (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
@@ -131,7 +134,7 @@ void refuse_bad(const Loop& loop, const Corners& corners, const std::string& nam
 }
 
 struct Sides {
-    std::vector<int> regions;  // that have the edge
+    std::vector<int> regions;  // on either side of the edge
 };
 
 double smoothness_of(const Sides& sides, const MapOptions& map,
@@ -146,7 +149,7 @@ double smoothness_of(const Sides& sides, const MapOptions& map,
     return map.smoothness;
 }
 
-// Neighbours of one type are one region, and have no boundary.
+// Neighbours of the same type form one region, without a boundary.
 bool is_within(const Sides& sides, const MapOptions& map) {
     return sides.regions.size() > 1 && std::ranges::all_of(sides.regions, [&](int r) {
                return map.regions[std::size_t(r)].type ==
@@ -154,7 +157,7 @@ bool is_within(const Sides& sides, const MapOptions& map) {
            });
 }
 
-// The map's edges, with what lies around them.
+// The map's edges, and what lies around them.
 class Mesh {
   public:
     Mesh(const MapOptions& map, const Extent& extent);
@@ -188,7 +191,7 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
       corners_(same_) {
     const auto [west, south, east, north] = map.window;
     std::vector<std::vector<Loop>> raw;
-    for (const Region& region : map.regions) {
+    for (const MapRegion& region : map.regions) {
         raw.emplace_back();
         if (region.outlines.empty())
             throw bad_request("region '{}' has no outline", region.name);
@@ -232,7 +235,7 @@ Mesh::Mesh(const MapOptions& map, const Extent& extent)
         in_grid_.push_back(entry.first);
         segments.emplace_back(corners_[entry.first.first], corners_[entry.first.second]);
     }
-    // What is farther away than that is not seen.
+    // Anything farther away has no influence.
     const double w = extent.width(), d = extent.depth();
     grid_.emplace(std::move(segments), std::array{-w, -d, 2.0 * w, 2.0 * d});
 }
@@ -247,8 +250,9 @@ bool Mesh::on_frame(const Edge& edge) const {
            beyond([&](const Point2& p) { return p[1] >= d - s; });
 }
 
-// To the nearest edge that has no corner in common, `most` if none is nearer, anything
-// below `least` if one is nearer than that. Looked for farther and farther away.
+// The distance to the nearest edge without a common corner: `most` if none is nearer, and
+// any value below `least` if one is nearer than that. The search radius grows step by
+// step.
 double Mesh::clearance(const Edge& edge, double least, double most) const {
     const Point2 &a = corners_[edge.first], &b = corners_[edge.second];
     for (double reach = std::min(least, most);; reach = std::min(4.0 * reach, most)) {
@@ -274,7 +278,7 @@ double angle_of(const Point2& from, const Point2& to) {
     return std::atan2(to[1] - from[1], to[0] - from[0]);
 }
 
-// To the nearest other edge at a corner.
+// The angle to the nearest other edge at a corner.
 double Mesh::free_angle(const Edge& edge, int corner) const {
     const int far = edge.first == corner ? edge.second : edge.first;
     const double own = angle_of(corners_[corner], corners_[far]);
@@ -287,7 +291,7 @@ double Mesh::free_angle(const Edge& edge, int corner) const {
     return least;
 }
 
-// Where just two edges meet they go on into each other: half of the bend is each's.
+// Where exactly two edges meet they continue each other; each takes half of the bend.
 double Mesh::course(const Edge& edge, int corner) const {
     const auto& around = neighbours_.at(corner);
     if (around.size() != 2) return 0.0;
@@ -335,7 +339,8 @@ std::vector<Point2> Mesh::line_of(const Edge& edge, const Sides& sides,
         .course = {course(edge, first), course(edge, second)},
         .segment = extent_.spacing,
         .window = {0.0, 0.0, extent_.width(), extent_.depth()}};
-    // By its place, so that a change elsewhere leaves it as it is.
+    // The seed depends on the edge's position, so that changes elsewhere do not affect
+    // it.
     const auto bits = [](double v) { return std::uint64_t(std::llround(v * 1000.0)); };
     return genetic::refined(
         boundary, hash_of({seed, bits(a[0]), bits(a[1]), bits(b[0]), bits(b[1])}));

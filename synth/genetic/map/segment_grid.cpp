@@ -13,7 +13,7 @@ SegmentGrid::SegmentGrid(std::vector<Segment> segments, const std::array<double,
         if (a[1] > b[1]) std::swap(a, b);
         const auto [south, north] = span(a[1], b[1], 1);
         for (int row = south; row <= north; ++row) {
-            // The part of it in this row of cells.
+            // The part of the segment in this row of cells.
             const double low = std::max(a[1], from_[1] + row * size_[1]),
                          high = std::min(b[1], from_[1] + (row + 1) * size_[1]);
             const auto east_at = [&](double y) {

@@ -11,17 +11,18 @@
 
 namespace cydonia::genetic {
 
-// Straight segments by where they pass, so that those near a place are found without
-// looking at all.
+// A grid of cells, each of which lists the straight segments that pass through it, so
+// that segments near a position are found without visiting all of them.
 class SegmentGrid {
   public:
     using Segment = std::pair<Point2, Point2>;
-    // What is outside of the box, west, south, east and north, is found nowhere.
+    // `box` is its west, south, east and north side. Parts of segments outside it are not
+    // found.
     SegmentGrid(std::vector<Segment> segments, const std::array<double, 4>& box);
 
     const Segment& operator[](std::size_t i) const { return segments_[i]; }
-    // visit(index) for all that may be in a box, some of them several times, as long as
-    // it returns true.
+    // Calls visit(index) for every segment that may pass through a box, possibly more
+    // than once, until it returns false.
     template <class Visit>
     void near(const std::array<double, 4>& box, const Visit& visit) const {
         const auto [west, east] = span(box[0], box[2], 0);
@@ -33,7 +34,8 @@ class SegmentGrid {
     }
 
   private:
-    // The first and the last cell along an axis; none: the last before the first.
+    // The first and the last cell along an axis; without any, the last is before the
+    // first.
     std::pair<int, int> span(double low, double high, std::size_t axis) const {
         const auto cell = [&](double v) {
             return std::floor((v - from_[axis]) / size_[axis]);

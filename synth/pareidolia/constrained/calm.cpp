@@ -23,7 +23,7 @@ constexpr double kSteepest = 1.5;
 constexpr double kShadowFeather = 0.015, kWindowFeather = 0.03;
 // The cost of a change in height alone, so that ground that nothing else holds stays
 // where it was.
-constexpr double kKeep = 1e-6;
+constexpr double kKeepCalm = 1e-6;
 
 double eased(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -75,7 +75,7 @@ Field<float> integrated(const Field<float>& base, const Field<float>& share,
             change(x, y) = static_cast<float>(sum);
         }
     });
-    Membrane(base.width(), base.height(), {.keep = kKeep}, 0.0).solve(change);
+    Membrane(base.width(), base.height(), {.keep = kKeepCalm}, 0.0).solve(change);
     for (std::size_t i = 0; i < base.size(); ++i) change[i] += base[i];
     return change;
 }

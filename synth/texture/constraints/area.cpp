@@ -1,14 +1,17 @@
 #include "synth/texture/constraints/area.h"
 
 #include "field/sample.h"
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-constexpr double kNodes = 256.0;  // at most along a side
-// Of the distance to the curve, half the side of each of two square averages: together
-// their corners stay on one side of it.
+constexpr double kNodes = 256.0;  // nodes along a side, at most
+// Half the side of each of the two square averages, as a share of the distance to the
+// curve. The corners of both together stay on one side of the curve.
 constexpr double kBlur = 0.28;
 
 // Sums of a field over rectangles, whose sides may cut cells.
@@ -24,7 +27,7 @@ class Sums {
             }
         }
     }
-    // Over [x0, x1] x [y0, y1], cells being 1 wide.
+    // The sum over [x0, x1] x [y0, y1], where a cell is 1 wide.
     double over(double x0, double y0, double x1, double y1) const {
         return below(x1, y1) - below(x0, y1) - below(x1, y0) + below(x0, y0);
     }
@@ -42,7 +45,8 @@ class Sums {
     Field<double> sums_;
 };
 
-// The mean over kBlur of the distance around each cell, of the cells that have one.
+// For each cell the mean of those cells within kBlur times its distance that have an
+// area.
 Field<float> averaged(const Field<float>& areas, const Field<float>& distances) {
     const int width = areas.width(), height = areas.height();
     const auto known = [&](int x, int y) { return distances(x, y) >= 0.0f; };
@@ -85,7 +89,7 @@ SmoothArea::SmoothArea(const Shape& shape, const Course& course, const Ground& g
         for (int x = 0; x < grid_.width; ++x) {
             const int segment = nearest(x, y).segment;
             if (segment < 0) continue;
-            const Asked asked = asked_by(shape, course, segment, grid_.centre(x, y));
+            const Demand asked = demand_of(shape, course, segment, grid_.centre(x, y));
             areas_(x, y) = static_cast<float>(asked.area);
             distances(x, y) = static_cast<float>(asked.distance / node);
         }
@@ -94,7 +98,7 @@ SmoothArea::SmoothArea(const Shape& shape, const Course& course, const Ground& g
 
 double SmoothArea::at(const Point2& p, double distance, double own) const {
     if (areas_.empty()) return own;
-    // Beside the curve the nodes around p may lie on its other side.
+    // Close to the curve the nodes around p may lie on its other side.
     const double u = std::clamp(distance / grid_.cell / 1.5 - 1.0, 0.0, 1.0);
     if (u == 0.0) return own;
     const Point2 first = grid_.centre(0, 0);

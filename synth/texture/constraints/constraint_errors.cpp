@@ -8,7 +8,7 @@
 namespace cydonia::texture {
 namespace {
 
-// While it is summed up, rms holds the sum of squares.
+// Until the end rms holds the sum of the squared errors.
 void add(ConstraintError& sum, double error) {
     sum.max = std::max(sum.max, std::abs(error));
     sum.rms += error * error;

@@ -7,33 +7,41 @@
 #include "synth/texture/constraints/sites.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-constexpr int kBand = 16;         // rows at a time
-constexpr double kLimit = 4.0;    // cells that a constraint reaches at any level
-constexpr double kNear = 1e-3;    // of a cell of level 0: nearer counts as on it
-constexpr double kMargin = 1e-6;  // cells, so that rounding leaves out none in reach
+constexpr int kBand = 16;       // rows at a time
+constexpr double kLimit = 4.0;  // cells that a constraint reaches at any level
+constexpr double kNear =
+    1e-3;  // cells of level 0: a place nearer than that is on the constraint
+constexpr double kMargin = 1e-6;  // cells, so that rounding leaves out no cell in reach
 constexpr std::size_t kMostBends = 400'000;
 
-Spike spike_of(const Point& point, const Ground& ground, const HeightAt& natural) {
-    Spike spike{point.name,
-                {point.at[0].in(ground.width), point.at[1].in(ground.depth)},
-                point.height,
-                point.gradient,
-                point.radius.in(ground.width)};
-    if (!(std::abs(spike.at[0]) < 1e9 && std::abs(spike.at[1]) < 1e9))
+PointConstraint point_constraint_of(const Point& point, const Ground& ground,
+                                    const HeightAt& natural) {
+    PointConstraint constraint{
+        point.name,
+        {point.at[0].in(ground.width), point.at[1].in(ground.depth)},
+        point.height,
+        point.gradient,
+        point.radius.in(ground.width)};
+    const Point2& at = constraint.at;
+    if (!(std::abs(at[0]) < 1e9 && std::abs(at[1]) < 1e9))
         throw bad_request("point '{}' is a million kilometres away", point.name);
-    if (!(spike.radius >= 0.0))
+    if (!(constraint.radius >= 0.0))
         throw bad_request("point '{}': its radius is negative", point.name);
     if (point.relative)
-        spike.height += natural(std::clamp(spike.at[0], 0.0, ground.width),
-                                std::clamp(spike.at[1], 0.0, ground.depth));
-    return spike;
+        constraint.height += natural(std::clamp(at[0], 0.0, ground.width),
+                                     std::clamp(at[1], 0.0, ground.depth));
+    return constraint;
 }
 
-std::vector<Strand> strands_of(const Options& options, const Ground& ground,
-                               const HeightAt& natural) {
-    std::vector<Strand> strands;
+std::vector<CurveConstraint> curve_constraints_of(const Options& options,
+                                                  const Ground& ground,
+                                                  const HeightAt& natural) {
+    std::vector<CurveConstraint> curves;
     std::size_t bends = 0;
     for (const Curve& curve : options.curves)
         for (NamedShape& named : shapes_of(curve, ground)) {
@@ -42,12 +50,12 @@ std::vector<Strand> strands_of(const Options& options, const Ground& ground,
                 throw bad_request("the curves have more than {} bends: simplify them",
                                   kMostBends);
             Course course(curve, named.name, named.shape, ground, natural);
-            strands.push_back({named.name, std::move(named.shape), std::move(course)});
+            curves.push_back({named.name, std::move(named.shape), std::move(course)});
         }
-    parallel_for(static_cast<int>(strands.size()), [&](int i) {
-        strands[i].area = SmoothArea(strands[i].shape, strands[i].course, ground);
+    parallel_for(static_cast<int>(curves.size()), [&](int i) {
+        curves[i].area = SmoothArea(curves[i].shape, curves[i].course, ground);
     });
-    return strands;
+    return curves;
 }
 
 // The grid of a window's cells.
@@ -61,9 +69,9 @@ struct Blend {
     double weights = 0.0, targets = 0.0, reaches = 0.0;
     double distance = std::numeric_limits<double>::infinity();
 
-    // Weighted by the inverse of the distance less that of the reach: where influence
-    // ends, it does not leap.
-    void add(const Asked& asked, double reach, double nearest) {
+    // The weight is the inverse of the distance less that of the reach, so that it is 0
+    // where the influence ends.
+    void add(const Demand& asked, double reach, double nearest) {
         const double d = std::max(asked.distance, nearest);
         if (!(d < reach)) return;
         const double weight = 1.0 / d - 1.0 / reach;
@@ -79,36 +87,36 @@ struct Blend {
     }
 };
 
-// The blends of some rows of a window.
+// The blends of a few rows of a window.
 class Band {
   public:
     Band(const Grid& grid, double nearest)
         : grid_(grid), nearest_(nearest), blends_(grid.width, grid.height) {}
 
-    void add(const Spike& spike) {
-        const double reach = std::min(spike.radius, kLimit * grid_.cell);
-        const Box box = Box::of(spike.at, spike.at).grown(reach + kMargin * grid_.cell);
+    void add(const PointConstraint& point) {
+        const double reach = std::min(point.radius, kLimit * grid_.cell);
+        const Box box = Box::of(point.at, point.at).grown(reach + kMargin * grid_.cell);
         const auto cells = grid_.cells_in(box);
         for (int j = cells.y0; j < cells.y1; ++j)
             for (int i = cells.x0; i < cells.x1; ++i)
-                blends_(i, j).add(spike.asked(grid_.centre(i, j)), reach, nearest_);
+                blends_(i, j).add(point.asked(grid_.centre(i, j)), reach, nearest_);
     }
 
-    void add(const Strand& strand, const Box& box) {
+    void add(const CurveConstraint& curve, const Box& box) {
         const double limit = kLimit * grid_.cell;
-        const double reach = std::min(strand.course.largest_area(), limit);
+        const double reach = std::min(curve.course.largest_area(), limit);
         const auto cells = grid_.cells_in(box.grown(reach + kMargin * grid_.cell));
         if (cells.empty() || !(reach > 0.0)) return;
         const Grid part{grid_.cell,         grid_.west,         grid_.north,
                         grid_.x + cells.x0, grid_.y + cells.y0, cells.x1 - cells.x0,
                         cells.y1 - cells.y0};
         Field<Nearest> nearest(part.width, part.height);
-        add_nearest(strand.shape, part, reach, nearest);
+        add_nearest(curve.shape, part, reach, nearest);
         for (int j = 0; j < part.height; ++j)
             for (int i = 0; i < part.width; ++i) {
                 const int segment = nearest(i, j).segment;
                 if (segment < 0) continue;
-                const Asked asked = asked_by(strand, segment, part.centre(i, j));
+                const Demand asked = demand_of(curve, segment, part.centre(i, j));
                 blends_(cells.x0 + i, cells.y0 + j)
                     .add(asked, std::min(asked.area, limit), nearest_);
             }
@@ -130,9 +138,9 @@ class Band {
 
 struct Geometry::Parts {
     Ground ground;
-    std::vector<Spike> spikes;
-    std::vector<Strand> strands;
-    std::vector<Box> boxes;  // of the strands
+    std::vector<PointConstraint> points;
+    std::vector<CurveConstraint> curves;
+    std::vector<Box> boxes;  // of the curves
     std::vector<Site> sites;
     std::vector<std::string> names;
 
@@ -140,8 +148,9 @@ struct Geometry::Parts {
         const Box box = grid.box().grown(kLimit * grid.cell);
         const auto near = [&](const Box& b) { return b.touches(box); };
         return std::any_of(boxes.begin(), boxes.end(), near) ||
-               std::any_of(spikes.begin(), spikes.end(),
-                           [&](const Spike& spike) { return box.holds(spike.at); });
+               std::any_of(
+                   points.begin(), points.end(),
+                   [&](const PointConstraint& point) { return box.holds(point.at); });
     }
 };
 
@@ -150,15 +159,16 @@ Geometry::Geometry(const Options& options, const Ground& ground, const HeightAt&
     : parts_(std::make_unique<Parts>()) {
     parts_->ground = ground;
     for (const Point& point : options.points)
-        parts_->spikes.push_back(spike_of(point, ground, natural));
-    parts_->strands = strands_of(options, ground, natural);
-    join(parts_->spikes, parts_->strands, ground, progress);
-    for (const Spike& spike : parts_->spikes) parts_->names.push_back(spike.name);
-    for (const Strand& strand : parts_->strands) {
-        parts_->names.push_back(strand.name);
-        parts_->boxes.push_back(strand.shape.box());
+        parts_->points.push_back(point_constraint_of(point, ground, natural));
+    parts_->curves = curve_constraints_of(options, ground, natural);
+    join(parts_->points, parts_->curves, ground, progress);
+    for (const PointConstraint& point : parts_->points)
+        parts_->names.push_back(point.name);
+    for (const CurveConstraint& curve : parts_->curves) {
+        parts_->names.push_back(curve.name);
+        parts_->boxes.push_back(curve.shape.box());
     }
-    parts_->sites = sites_of(parts_->spikes, parts_->strands, ground, progress);
+    parts_->sites = sites_of(parts_->points, parts_->curves, ground, progress);
 }
 
 Geometry::~Geometry() = default;
@@ -174,9 +184,9 @@ Field<Pull> Geometry::pulls(const Window& window) const {
         grid.height = std::min(kBand, window.height - band * kBand);
         if (grid.width < 1 || !parts_->touches(grid)) return;
         Band blends(grid, kNear * parts_->ground.spacing);
-        for (const Spike& spike : parts_->spikes) blends.add(spike);
-        for (std::size_t s = 0; s < parts_->strands.size(); ++s)
-            blends.add(parts_->strands[s], parts_->boxes[s]);
+        for (const PointConstraint& point : parts_->points) blends.add(point);
+        for (std::size_t s = 0; s < parts_->curves.size(); ++s)
+            blends.add(parts_->curves[s], parts_->boxes[s]);
         blends.write(pulls, band * kBand);
     });
     return pulls;

@@ -12,21 +12,22 @@
 
 namespace cydonia::texture {
 
-// Points and curves, ready to be asked (section 5.1).
+// Point and curve constraints, prepared for synthesis (section 5.1).
 class Geometry {
   public:
-    // `natural` is asked for relative heights only. Warns of what contradicts itself, and
-    // which won. Throws bad_request.
-    Geometry(const Options& options, const Ground& ground, const HeightAt& natural,
-             Progress& progress);
+    // `natural` is called for relative heights only. Warns where constraints contradict
+    // each other and says which one is followed. Throws bad_request for constraints that
+    // cannot be used.
+    Geometry(const Options& options, const geometry::Ground& ground,
+             const geometry::HeightAt& natural, Progress& progress);
     ~Geometry();
 
     bool empty() const;
-    // Row-major as in the window. Depends on each cell's place only.
+    // What is asked of each cell of a window. It depends on the cell's position only.
     Field<Pull> pulls(const Window& window) const;
 
-    // Where the land must have a height: along every curve at most one cell of level 0
-    // apart, and at every point.
+    // A place where the land must have a given height: every point, and positions along
+    // every curve at most one cell of level 0 apart.
     struct Site {
         double x, y;     // metres from the south-west corner
         double height;   // metres

@@ -8,14 +8,15 @@
 
 namespace cydonia::texture {
 
-// What points and curves ask of a cell (section 5.1), already blended where several do.
+// What points and curves ask of a cell (section 5.1), blended where there are several.
 struct Pull {
     float target = 0.0f;    // h_t, metres
     float distance = 0.0f;  // d, metres, to the nearest of them
-    float reach = 0.0f;     // a, metres: min(area, 4 cells of the level); 0: free
+    float reach =
+        0.0f;  // a, metres: min(area, 4 cells of the level); 0: nothing is asked
 };
 
-// R, section 5.2: bit t stands for type t.
+// R of section 5.2, a set of types: bit t stands for type t.
 using TypeSet = std::uint32_t;
 inline constexpr TypeSet kAnyType = ~TypeSet{0};
 

@@ -4,19 +4,22 @@
 
 #include <map>
 
-#include "synth/texture/constraints/meetings.h"
+#include "synth/texture/constraints/crossings.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-// Where two constraints want different heights.
+// A place where two constraints ask for different heights.
 struct Dispute {
     Point2 at{};
-    double won = 0.0, lost = 0.0;  // metres, where they differ most
+    double won = 0.0, lost = 0.0;  // heights where they differ most, metres
     int places = 0;
 };
 
-// The same knots from 0 to length, none at one place.
+// The knots moved into [0, length), without two at the same position.
 std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
     for (Knot& knot : knots) {
         if (knot.at < 0.0) knot.at += length;
@@ -33,18 +36,19 @@ std::vector<Knot> onto_ring(std::vector<Knot> knots, double length) {
 
 class Joiner {
   public:
-    Joiner(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground)
-        : spikes_(spikes),
-          strands_(strands),
+    Joiner(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
+           const Ground& ground)
+        : points_(points),
+          curves_(curves),
           land_{0.0, ground.width, 0.0, ground.depth},
           cell_(ground.spacing) {}
 
     void join() {
-        const auto meetings = meetings_of(spikes_, strands_, cell_);
-        // In their order, so that what comes earlier is settled.
-        for (auto begin = meetings.begin(); begin != meetings.end();) {
+        const auto crossings = crossings_of(points_, curves_, cell_);
+        // In the order of the constraints, so that the earlier of two is settled already.
+        for (auto begin = crossings.begin(); begin != crossings.end();) {
             auto end = begin;
-            while (end != meetings.end() && end->second == begin->second) ++end;
+            while (end != crossings.end() && end->second == begin->second) ++end;
             settle({begin, end});
             begin = end;
         }
@@ -54,7 +58,9 @@ class Joiner {
         for (const auto& [pair, d] : disputes_) {
             const auto& [first, second] = pair;
             const std::string more =
-                d.places > 1 ? fmt::format(" (the most of {} places)", d.places) : "";
+                d.places > 1
+                    ? fmt::format(" (the largest difference of {} places)", d.places)
+                    : "";
             if (first == second)
                 progress.warn(
                     fmt::format("'{}' crosses itself at ({:.0f}, {:.0f}) m with heights "
@@ -72,19 +78,19 @@ class Joiner {
     }
 
   private:
-    bool is_spike(int owner) const { return std::size_t(owner) < spikes_.size(); }
-    Strand& strand(int owner) const {
-        return strands_[std::size_t(owner) - spikes_.size()];
+    bool is_point(int owner) const { return std::size_t(owner) < points_.size(); }
+    CurveConstraint& curve(int owner) const {
+        return curves_[std::size_t(owner) - points_.size()];
     }
     const std::string& name(int owner) const {
-        return is_spike(owner) ? spikes_[owner].name : strand(owner).name;
+        return is_point(owner) ? points_[owner].name : curve(owner).name;
     }
     double height(int owner, double along) const {
-        return is_spike(owner) ? spikes_[owner].height
-                               : strand(owner).course.height(along);
+        return is_point(owner) ? points_[owner].height
+                               : curve(owner).course.height(along);
     }
 
-    void note(const Meeting& m, double won, double lost) {
+    void note(const Crossing& m, double won, double lost) {
         if (std::abs(won - lost) <= 0.1 * cell_ || !land_.holds(m.at)) return;
         Dispute& dispute = disputes_[{m.first, m.second}];
         ++dispute.places;
@@ -96,25 +102,25 @@ class Joiner {
         dispute.lost = lost;
     }
 
-    // All meetings of the later of two constraints.
-    void settle(const std::vector<Meeting>& meetings) {
-        const int owner = meetings.front().second;
+    // Settles all crossings of one constraint with earlier ones.
+    void settle(const std::vector<Crossing>& crossings) {
+        const int owner = crossings.front().second;
         std::vector<Knot> heights;
-        for (const Meeting& m : meetings) {
+        for (const Crossing& m : crossings) {
             if (m.first == m.second) continue;
             const double won = height(m.first, m.along[0]);
             if (add(heights, m.along[1], won)) note(m, won, height(owner, m.along[1]));
         }
-        if (is_spike(owner)) {
-            spikes_[owner].height = heights.front().value;
+        if (is_point(owner)) {
+            points_[owner].height = heights.front().value;
             return;
         }
-        for (const Meeting& m : meetings)
+        for (const Crossing& m : crossings)
             if (m.first == m.second) tie(heights, m);
-        bend(strand(owner), std::move(heights));
+        bend(curve(owner), std::move(heights));
     }
 
-    // What stands there already holds.
+    // The knot within a cell of `along`, if there is one: it decides the height there.
     const Knot* standing(const std::vector<Knot>& heights, double along) const {
         for (const Knot& knot : heights)
             if (std::abs(knot.at - along) < cell_) return &knot;
@@ -126,8 +132,8 @@ class Joiner {
         return true;
     }
 
-    // A curve with itself.
-    void tie(std::vector<Knot>& heights, const Meeting& m) {
+    // Gives one height to a crossing of a curve with itself.
+    void tie(std::vector<Knot>& heights, const Crossing& m) {
         const double a = height(m.second, m.along[0]), b = height(m.second, m.along[1]);
         const Knot* held = standing(heights, m.along[0]);
         if (!held) held = standing(heights, m.along[1]);
@@ -137,24 +143,25 @@ class Joiner {
         add(heights, m.along[1], common);
     }
 
-    // Metres along a curve from a junction to where its bending ends.
+    // How far along a curve it is bent on either side of a junction, metres.
     double bent_over(const Trait& trait, double by) const {
         return std::max({2.0 * std::max(trait.area[0], trait.area[1]), 2.0 * std::abs(by),
                          4.0 * cell_});
     }
 
-    // Metres from a junction to where a curve is itself again, 0 where it has no room to
-    // be. A free end stays as it is where there is room for half the bending.
+    // The distance from a junction to where a curve has its own height again, metres; 0
+    // where there is no room for that. A free end keeps its height where there is room
+    // for half the bend.
     static double room(double reach, double gap, bool to_free_end) {
         if (reach < gap) return reach;
         return to_free_end && 2.0 * gap > reach ? gap : 0.0;
     }
 
-    // Adds what is missing to the junctions' heights, and nothing at handles and farther
-    // away.
-    void bend(Strand& strand, std::vector<Knot> heights) const {
-        const Course& course = strand.course;
-        const double length = strand.shape.length();
+    // Adds to the curve what its heights at junctions lack, and nothing at its handles
+    // and farther away.
+    void bend(CurveConstraint& curve, std::vector<Knot> heights) const {
+        const Course& course = curve.course;
+        const double length = curve.shape.length();
         std::vector<Knot> added;
         for (const Knot& knot : heights)
             added.push_back({knot.at, knot.value - course.height(knot.at)});
@@ -163,7 +170,7 @@ class Joiner {
         std::sort(added.begin(), added.end(),
                   [](const Knot& a, const Knot& b) { return a.at < b.at; });
 
-        const bool ring = strand.shape.closed;
+        const bool ring = curve.shape.closed;
         const double begin = ring ? added.back().at - length : 0.0;
         const double end = ring ? added.front().at + length : length;
         std::vector<Knot> knots;
@@ -175,18 +182,18 @@ class Joiner {
                 room(reach, knot.at - (first ? begin : added[i - 1].at), first && !ring);
             const double after =
                 room(reach, (last ? end : added[i + 1].at) - knot.at, last && !ring);
-            // Level between two junctions only where both have ended.
+            // The curve is level between two junctions only where both bends have ended.
             if (before > 0.0 && (knots.empty() || knot.at - before > knots.back().at))
                 knots.push_back({knot.at - before, 0.0});
             knots.push_back(knot);
             if (after > 0.0) knots.push_back({knot.at + after, 0.0});
         }
         if (ring) knots = onto_ring(std::move(knots), length);
-        strand.course.bend(knots);
+        curve.course.bend(knots);
     }
 
-    std::vector<Spike>& spikes_;
-    std::vector<Strand>& strands_;
+    std::vector<PointConstraint>& points_;
+    std::vector<CurveConstraint>& curves_;
     Box land_;
     double cell_;
     std::map<std::pair<int, int>, Dispute> disputes_;
@@ -194,9 +201,9 @@ class Joiner {
 
 }  // namespace
 
-void join(std::vector<Spike>& spikes, std::vector<Strand>& strands, const Ground& ground,
-          Progress& progress) {
-    Joiner joiner(spikes, strands, ground);
+void join(std::vector<PointConstraint>& points, std::vector<CurveConstraint>& curves,
+          const Ground& ground, Progress& progress) {
+    Joiner joiner(points, curves, ground);
     joiner.join();
     joiner.warn(progress);
 }

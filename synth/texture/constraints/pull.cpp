@@ -5,7 +5,7 @@
 namespace cydonia::texture {
 namespace {
 
-// 1 until half of the reach, then down to 0 with no slope at either end.
+// 1 up to half of the reach, then falling to 0, with no slope at either end.
 double eased(double share) {
     if (share <= 0.5) return 1.0;
     if (share >= 1.0) return 0.0;

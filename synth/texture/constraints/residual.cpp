@@ -20,7 +20,7 @@ struct Own {
 };
 using Owns = std::vector<std::vector<Own>>;  // by rows, from west to east
 
-// 1 at 0, 0 from 1 on, without slope at either.
+// 1 at 0, and 0 from 1 on, without a slope at either.
 double bell(double squared) {
     const double u = std::max(0.0, 1.0 - squared);
     return u * u;
@@ -48,7 +48,8 @@ Owns owns_of(const Field<Pull>& pulls, const Field<float>& heights, float near) 
     return rows;
 }
 
-// act(own, its row less y) for all within `radius` rows of row y, northern ones first.
+// Calls act(own, its row - y) for all cells within `radius` rows of row y, from north to
+// south.
 template <class Act>
 void for_near(const Owns& rows, int y, int radius, const Act& act) {
     const int last = std::min(y + radius, static_cast<int>(rows.size()) - 1);
@@ -56,7 +57,7 @@ void for_near(const Owns& rows, int y, int radius, const Act& act) {
         for (const Own& own : rows[row]) act(own, row - y);
 }
 
-// Every residual's mean over the constraint's cells within `radius`.
+// Each residual replaced by the mean over the constraint's cells within `radius`.
 Owns averaged(const Owns& rows, int radius) {
     const Field<float> weights = kernel(
         radius, [&](int squared) { return bell(squared / (double(radius) * radius)); });
@@ -82,7 +83,8 @@ Owns averaged(const Owns& rows, int radius) {
     return means;
 }
 
-// Residuals of the nearest constraints, and how much of them holds there.
+// The residual of the nearest constraints at each cell, and the share of it that is
+// applied.
 struct Carried {
     Field<float> residual, share;
 };
@@ -90,7 +92,8 @@ struct Carried {
 Carried carried(const Owns& rows, int width, int radius) {
     const int height = static_cast<int>(rows.size());
     const double squared_radius = double(radius) * radius;
-    // Steep in the middle, so that on a constraint its own residual counts.
+    // The kernel is steep in the middle, so that on a constraint its own residual
+    // dominates.
     const Field<float> weights = kernel(radius, [&](int squared) {
         return bell(squared / squared_radius) / ((squared + 1.0) * (squared + 1.0));
     });
@@ -124,8 +127,9 @@ Carried carried(const Owns& rows, int width, int radius) {
     return carried;
 }
 
-// The larger of a cell's value and the binomial mean of the 5x5 around it: creases, where
-// two constraints are equally near, are filled, and nothing is lost on constraints.
+// The larger of a cell's value and the binomial mean of the 5x5 cells around it. This
+// fills creases where two constraints are equally near and loses nothing on the
+// constraints.
 float uncreased(const Field<float>& share, int x, int y) {
     constexpr float kWeights[] = {1 / 16.0f, 4 / 16.0f, 6 / 16.0f, 4 / 16.0f, 1 / 16.0f};
     float mean = 0.0f;

@@ -8,12 +8,15 @@
 #include "field/error.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
 using Site = Geometry::Site;
 
-// The shares of the line from a to b inside the box; first > second: none (Liang and
-// Barsky 1984).
+// Which part of the line from a to b is inside the box, as shares of the line (Liang and
+// Barsky 1984); first > second: no part.
 std::pair<double, double> clipped(const Point2& a, const Point2& b, const Box& box) {
     double from = 0.0, to = 1.0;
     const double low[2] = {box.west, box.south}, high[2] = {box.east, box.north};
@@ -28,16 +31,16 @@ std::pair<double, double> clipped(const Point2& a, const Point2& b, const Box& b
     return {from, to};
 }
 
-// Appends the sites of a curve, which are at multiples of one step; whether any of it is
-// inside.
-bool add_sites(const Strand& strand, int owner, const Ground& ground,
+// Appends the sites of a curve, at multiples of one step. Returns whether any part of the
+// curve is on the land.
+bool add_sites(const CurveConstraint& curve, int owner, const Ground& ground,
                std::vector<Site>& sites) {
     const Box land{0.0, ground.width, 0.0, ground.depth};
-    const Shape& shape = strand.shape;
+    const Shape& shape = curve.shape;
     const double count = std::max(1.0, std::ceil(shape.length() / ground.spacing));
     const double step = shape.length() / count;
     bool inside = false;
-    double next = 0.0;  // its number
+    double next = 0.0;  // number of the next site
     for (int s = 0; s < shape.segments(); ++s) {
         const auto [from, to] = clipped(shape.points[s], shape.points[s + 1], land);
         if (from > to) continue;
@@ -50,7 +53,7 @@ bool add_sites(const Strand& strand, int owner, const Ground& ground,
             throw bad_request("the curves are more than {} cells long: take away some",
                               kMostSites);
         for (; next <= end && !(shape.closed && next == count); ++next) {
-            const Trait trait = strand.course.at(next * step);
+            const Trait trait = curve.course.at(next * step);
             if (!(std::max(trait.area[0], trait.area[1]) > 0.0))
                 continue;  // asks nothing
             const Point2 p = shape.at(next * step);
@@ -66,12 +69,13 @@ struct Clash {
     int sites = 0;
 };
 
-// Two curves that cross at a small angle share some cells, and have been warned of.
+// Two curves that cross at a small angle share a few cells; join() has warned of them.
 constexpr int kAtCrossing = 4;
 
-// Takes away sites that stand in a cell of an earlier constraint's with another height.
+// Removes sites in cells that hold an earlier constraint's site of another height.
 std::vector<Clash> resolve(std::vector<Site>& sites, double cell) {
-    std::unordered_map<std::uint64_t, std::size_t> owners;  // of cells: a site
+    std::unordered_map<std::uint64_t, std::size_t>
+        owners;  // the site that each cell holds
     std::map<std::pair<int, int>, Clash> clashes;
     std::vector<Site> kept;
     for (const Site& site : sites) {
@@ -97,22 +101,22 @@ std::vector<Clash> resolve(std::vector<Site>& sites, double cell) {
 
 }  // namespace
 
-std::vector<Site> sites_of(const std::vector<Spike>& spikes,
-                           const std::vector<Strand>& strands, const Ground& ground,
-                           Progress& progress) {
+std::vector<Site> sites_of(const std::vector<PointConstraint>& points,
+                           const std::vector<CurveConstraint>& curves,
+                           const Ground& ground, Progress& progress) {
     const Box land{0.0, ground.width, 0.0, ground.depth};
     std::vector<Site> sites;
     std::vector<std::string> outside;
     int owner = 0;
-    for (const Spike& spike : spikes) {
-        const bool inside = land.holds(spike.at);
-        if (!inside) outside.push_back(spike.name);
-        if (inside && spike.radius > 0.0)
-            sites.push_back({spike.at[0], spike.at[1], spike.height, owner});
+    for (const PointConstraint& point : points) {
+        const bool inside = land.holds(point.at);
+        if (!inside) outside.push_back(point.name);
+        if (inside && point.radius > 0.0)
+            sites.push_back({point.at[0], point.at[1], point.height, owner});
         ++owner;
     }
-    for (const Strand& strand : strands)
-        if (!add_sites(strand, owner++, ground, sites)) outside.push_back(strand.name);
+    for (const CurveConstraint& curve : curves)
+        if (!add_sites(curve, owner++, ground, sites)) outside.push_back(curve.name);
     for (const std::string& name : outside)
         progress.warn(
             fmt::format("'{}' lies outside the terrain, which is {:.0f} by {:.0f} m",
@@ -120,7 +124,7 @@ std::vector<Site> sites_of(const std::vector<Spike>& spikes,
 
     const auto name = [&](int i) {
         const auto s = static_cast<std::size_t>(i);
-        return s < spikes.size() ? spikes[s].name : strands[s - spikes.size()].name;
+        return s < points.size() ? points[s].name : curves[s - points.size()].name;
     };
     for (const Clash& clash : resolve(sites, ground.spacing))
         progress.warn(fmt::format(

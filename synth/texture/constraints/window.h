@@ -3,9 +3,9 @@
 namespace cydonia::texture {
 
 // A rectangle of the plane's cells at one level of synthesis. Level 0 has the exemplars'
-// own cells; a cell of level i covers 2^i by 2^i of them. Cell (0, 0) of every level has
-// its north-west corner in that of the terrain; x grows east, y south, both may be
-// negative.
+// own cells; a cell of level i covers 2^i by 2^i of them. The north-west corner of cell
+// (0, 0) of every level is that of the terrain; x grows to the east and y to the south,
+// and both may be negative.
 struct Window {
     int level = 0;
     int x = 0, y = 0;

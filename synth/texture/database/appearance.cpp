@@ -8,7 +8,8 @@
 namespace cydonia::texture {
 namespace {
 
-// Heights in quarters of the unit: with them and Modes::kOne sums stay within 32 bits.
+// Heights are counted in quarters of the unit, so that sums with Modes::kOne fit into 32
+// bits.
 constexpr int kParts = 4;
 
 std::vector<std::int32_t> quarters_of(const LevelArrays& level,
@@ -21,7 +22,7 @@ std::vector<std::int32_t> quarters_of(const LevelArrays& level,
     return quarters;
 }
 
-// Halves away from zero, so that the opposite of a pattern is its opposite.
+// Rounds halves away from zero, so that a negated pattern gives the negated value.
 std::int16_t in_units(std::int32_t sum) {
     constexpr std::int32_t kUnit = kParts * Modes::kOne;
     const std::int32_t size =

@@ -1,4 +1,4 @@
-// Exemplars sorted into types by their land, which Gain, Merry and Marais 2015 left open:
+// Sorts exemplars into types by their land, which Gain, Merry and Marais 2015 left open:
 // k-means (Lloyd 1982) on slope, relief and curvature at three scales.
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace cydonia::texture {
 namespace {
 
 constexpr std::size_t kLooks = std::tuple_size_v<Look>;
-constexpr int kRounds = 60;              // of Lloyd's
-constexpr std::size_t kSamples = 40000;  // blocks that the centres are found from
+constexpr int kRounds = 60;              // of Lloyd's algorithm, at most
+constexpr std::size_t kSamples = 40000;  // blocks from which the centres are found
 constexpr int kMajority = 4;             // radius, blocks
-constexpr double kMuchWater = 0.02;      // share of all blocks: a type of its own
+constexpr double kMuchWater = 0.02;      // share of all blocks that makes water a type
 
 // Calls visit(look) for every block that is not level.
 template <class All, class Visit>
@@ -34,7 +34,7 @@ std::size_t land_of(const std::vector<Looks>& all) {
     return blocks;
 }
 
-// Every number to mean 0 and deviation 1 over all land.
+// Scales each number to a mean of 0 and a deviation of 1 over all land.
 void standardise(std::vector<Looks>& all) {
     const double count = double(std::max<std::size_t>(1, land_of(all)));
     for (std::size_t k = 0; k < kLooks; ++k) {
@@ -72,7 +72,8 @@ std::size_t nearest(const std::vector<Look>& centres, const Look& look) {
     return best;
 }
 
-// As much of all land as makes the centres, evenly spread, from calm to rugged.
+// A sample of all land, evenly spread and sorted from calm to rugged, from which the
+// centres are found.
 std::vector<Look> samples_of(const std::vector<Looks>& all) {
     const std::size_t step = land_of(all) / kSamples + 1;
     std::vector<Look> samples;
@@ -84,8 +85,8 @@ std::vector<Look> samples_of(const std::vector<Looks>& all) {
     return samples;
 }
 
-// Evenly from the calmest to the most rugged, however much there is of each: quantiles
-// would give most of them to a plain.
+// First centres, at equal steps from the calmest to the most rugged, however much land
+// there is of each. Quantiles would give most of them to a plain.
 std::vector<Look> first_centres(const std::vector<Look>& samples, int types) {
     const float low = ruggedness(samples.front()), high = ruggedness(samples.back());
     std::vector<Look> centres;
@@ -98,7 +99,7 @@ std::vector<Look> first_centres(const std::vector<Look>& samples, int types) {
     return centres;
 }
 
-// Lloyd's.
+// Lloyd's algorithm.
 std::vector<Look> centres_of(const std::vector<Look>& samples, int types) {
     if (samples.empty()) return {};
     std::vector<Look> centres = first_centres(samples, types);
@@ -119,7 +120,7 @@ std::vector<Look> centres_of(const std::vector<Look>& samples, int types) {
     return centres;
 }
 
-// The type that most blocks around have, the calmer of two.
+// The most common type of the blocks around, and of equally common ones the calmer.
 Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int count) {
     Field<std::uint8_t> result(types.width(), types.height());
     Field<float> most(types.width(), types.height());
@@ -141,7 +142,7 @@ Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int count) {
 }
 
 struct Kinds {
-    int first = 0;  // type of the first centre; level land has type 0
+    int first = 0;  // type of the first centre; water, if it is a type, has 0
     std::vector<Look> centres;
 };
 

@@ -8,15 +8,15 @@
 
 namespace cydonia::texture {
 
-// Squared cells between a cell and its match in the same exemplar: more than this.
+// A match in the same exemplar lies farther than this from its cell, in squared cells.
 inline constexpr int kFarEnough = 25;
 inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
 
-// The best match of one cell among those it was shown so far.
+// The best match of one cell among the candidates considered so far.
 class BestMatch {
   public:
-    // Goes on from `match`, whose unlikeness is `score`, and leaves what is better there.
-    // Orientations that are not among `turns` may not be considered.
+    // Starts with `match`, whose dissimilarity is `score`, and replaces both with
+    // anything better. Only orientations among `turns` may be considered.
     BestMatch(const LevelArrays& level, std::span<const int> turns, int of_exemplar,
               int at_x, int at_y, Match& match, float& score)
         : exemplar(of_exemplar),
@@ -36,7 +36,7 @@ class BestMatch {
         return wanted_[std::size_t(orientation)];
     }
 
-    // Land can be taken from there, and it is not around the cell itself.
+    // Whether land can be taken from there, and it is far enough from the cell itself.
     bool allowed(int e, int u, int v) const {
         const Sheet& sheet = level_.sheets[std::size_t(e)];
         if (u < 0 || v < 0 || u >= sheet.width || v >= sheet.height) return false;
@@ -48,7 +48,7 @@ class BestMatch {
     void consider(int e, int u, int v, int orientation) {
         if (!allowed(e, u, v)) return;
         const Sheet& sheet = level_.sheets[std::size_t(e)];
-        const float score = unlikeness(
+        const float score = dissimilarity(
             wanted(orientation), &level_.appearance[sheet.index(u, v)], sheet.stride);
         if (score >= score_) return;
         score_ = score;

@@ -25,8 +25,8 @@ void try_all(BestMatch& best, const LevelArrays& level, std::span<const int> tur
     }
 }
 
-void try_alike(BestMatch& best, int orientation, const TraitSpace& space,
-               const AlikeTree& tree) {
+void try_similar(BestMatch& best, int orientation, const TraitSpace& space,
+                 const KdTree& tree) {
     const Traits traits = space.traits_of(best.wanted(orientation));
     const Sample *nearest = nullptr, *second = nullptr;
     float least = kNoMatch, less = kNoMatch;

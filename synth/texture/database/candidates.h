@@ -6,22 +6,22 @@
 
 namespace cydonia::texture {
 
-// What a cell's best match is looked for among.
+// Candidates for the best match of a cell.
 
-// All there is.
+// Every cell of the level.
 void try_all(BestMatch& best, const LevelArrays& level, std::span<const int> turns);
 
-// The two of a leaf that are nearest by their traits.
-void try_alike(BestMatch& best, int orientation, const TraitSpace& space,
-               const AlikeTree& tree);
+// The two samples with the nearest traits in a leaf of the tree.
+void try_similar(BestMatch& best, int orientation, const TraitSpace& space,
+                 const KdTree& tree);
 
-// The four cells of a coarse one go on to the four of its match, turned with it.
+// The match of the coarser cell, refined: its four cells, turned with it.
 void try_coarser(BestMatch& best, const LevelArrays& coarser);
 
-// Where the match of the neighbour `towards` there has its neighbour on this side.
+// The cell beside the match of the neighbour in direction `towards`.
 void try_beside(BestMatch& best, Step towards, const Match& neighbours);
 
-// Places drawn around the best so far, others in each pass.
+// Random cells around the best one so far, different in each pass.
 void try_around(BestMatch& best, int pass);
 
 }  // namespace cydonia::texture

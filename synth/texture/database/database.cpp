@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMostKept = std::uint64_t{2} << 30;  // bytes of files in a cache
 
-// One that is held in memory.
+// A database that is held in memory.
 class MadeDatabase final : public Database {
   public:
     MadeDatabase(const Options& options, Progress& progress);
@@ -30,7 +30,7 @@ MadeDatabase::MadeDatabase(const Options& options, Progress& progress) {
     progress.step("texture: reading the exemplars");
     Lands lands = lands_of(options, progress);
     describe(lands);
-    progress.step("texture: searching the exemplars for places that look alike");
+    progress.step("texture: searching the exemplars for similar places");
     add_pyramid(std::move(lands.all), options, progress);
 }
 
@@ -43,7 +43,8 @@ void MadeDatabase::describe(const Lands& lands) {
         lowest = std::min(lowest, low);
         highest = std::max(highest, high);
     }
-    // All modes fit into 16 bits: none is further from 0 than half the range of heights.
+    // All modes fit into 16 bits, as none is farther from 0 than half the range of
+    // heights.
     unit = (double(highest) - lowest) / 60000.0;
 }
 
@@ -51,8 +52,8 @@ void refuse_landless(const LevelArrays& level, const std::vector<std::string>& n
     for (std::size_t e = 0; e < names.size(); ++e)
         if (places_of(level, level.sheets[e]) == 0)
             throw bad_request(
-                "{}: voids leave no land to take from it, no 5x5 cells are without any; "
-                "fill them first, or remove it",
+                "{}: its voids leave no 5x5 cells of land to take from it; "
+                "fill the voids, or remove the exemplar",
                 names[e]);
 }
 
@@ -73,8 +74,8 @@ void MadeDatabase::add_pyramid(std::vector<Land> lands, const Options& options,
     for (const LevelArrays& level : pyramid_) levels.push_back(level.view());
 }
 
-// Keeps a database in a file and returns the one that is mapped from there, whose memory
-// the system can take back.
+// Writes a database to a file and returns it mapped from there, so that the system can
+// reclaim its memory.
 std::shared_ptr<const Database> kept(std::shared_ptr<const Database> made,
                                      const std::filesystem::path& cache,
                                      std::uint64_t key, Progress& progress) {
@@ -83,9 +84,9 @@ std::shared_ptr<const Database> kept(std::shared_ptr<const Database> made,
         make_folder(cache);
         write_database(file, key, *made, progress);
     } catch (const Error& error) {
-        progress.warn(fmt::format(
-            "what was learned of the exemplars is not kept for the next run: {}",
-            error.what()));
+        progress.warn(
+            fmt::format("the database of the exemplars is not kept for the next run: {}",
+                        error.what()));
         return made;
     }
     auto mapped = mapped_database(file, key);
@@ -100,7 +101,7 @@ void warn_of_types_without_land(const Database& database, const Options& options
         if (level.seeds[t].empty())
             progress.warn(
                 fmt::format("no exemplar has land of the type '{}'; paint it on one, or "
-                            "take the type away",
+                            "remove the type",
                             options.types[t].name));
 }
 

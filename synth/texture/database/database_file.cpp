@@ -72,12 +72,12 @@ fs::path database_file(const fs::path& folder, std::uint64_t key) {
 }
 
 void prune_databases(const fs::path& folder, std::uint64_t most) {
-    struct Kept {
+    struct CacheFile {
         fs::file_time_type used;
         std::uintmax_t size;
         fs::path path;
     };
-    std::vector<Kept> kept;
+    std::vector<CacheFile> kept;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none)) {
         const std::string name = entry.path().filename().string();
@@ -87,9 +87,9 @@ void prune_databases(const fs::path& folder, std::uint64_t most) {
         kept.push_back(
             {entry.last_write_time(none), entry.file_size(none), entry.path()});
     }
-    std::ranges::sort(kept, std::greater{}, &Kept::used);
+    std::ranges::sort(kept, std::greater{}, &CacheFile::used);
     std::uint64_t total = 0;
-    for (const Kept& file : kept) {
+    for (const CacheFile& file : kept) {
         total += file.size;
         if (total > most && &file != &kept.front()) fs::remove(file.path, none);
     }

@@ -9,24 +9,24 @@
 
 namespace cydonia::texture {
 
-// Hash of all that a database depends on: files' bytes and options.
+// A hash of everything that a database depends on: the files' bytes and the options.
 std::uint64_t database_key(const Options& options);
 
-// The file of that key in a folder.
+// The path of the file with that key in a folder.
 std::filesystem::path database_file(const std::filesystem::path& folder,
                                     std::uint64_t key);
 
-// A database that is mapped from its file, checked to the last byte. Null when there is
-// none, or another, a damaged or an older one.
+// The database mapped from its file, all of whose bytes are checked. Null when the file
+// is missing, damaged, of an older version or of another key.
 std::shared_ptr<const Database> mapped_database(const std::filesystem::path& file,
                                                 std::uint64_t key);
 
-// Throws a failure() when it cannot be written.
+// Throws failure() when the file cannot be written.
 void write_database(const std::filesystem::path& file, std::uint64_t key,
                     const Database& database, Progress& progress);
 
-// Removes the databases used longest ago until the folder's are within `most` bytes,
-// never the one used last.
+// Removes the least recently used databases until those in the folder have at most `most`
+// bytes. The one used last always stays.
 void prune_databases(const std::filesystem::path& folder, std::uint64_t most);
 
 }  // namespace cydonia::texture

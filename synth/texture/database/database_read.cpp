@@ -8,6 +8,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "field/archive.h"
 #include "field/parallel.h"
 #include "synth/texture/database/database_file.h"
 #include "synth/texture/database/database_layout.h"
@@ -16,13 +17,10 @@
 namespace cydonia::texture {
 namespace {
 
-struct Damaged {};
+void expect(bool sound) { ArchiveReader::expect(sound); }
 
-void expect(bool sound) {
-    if (!sound) throw Damaged{};
-}
-
-// A file's bytes, for as long as this lives; none when it cannot be mapped.
+// The bytes of a mapped file, valid as long as this lives; none when the file cannot be
+// mapped.
 class Mapping {
   public:
     explicit Mapping(const std::filesystem::path& path) {
@@ -48,40 +46,11 @@ class Mapping {
     std::span<const char> bytes_;
 };
 
-// Values one after another; each is checked against what is left.
-class Reader {
-  public:
-    explicit Reader(std::span<const char> body) : body_(body) {}
-
-    template <class T>
-    T value() {
-        T v;
-        std::memcpy(&v, take(sizeof v), sizeof v);
-        return v;
-    }
-    std::uint64_t at_most(std::uint64_t limit) {
-        const auto count = value<std::uint64_t>();
-        expect(count <= limit);
-        return count;
-    }
-    std::string text(std::size_t size) { return {take(size), size}; }
-    template <class T>
-    std::span<const T> array(std::size_t count) {
-        take((kAligned - at_ % kAligned) % kAligned);
-        expect(count <= (body_.size() - at_) / sizeof(T));
-        return {reinterpret_cast<const T*>(take(count * sizeof(T))), count};
-    }
-    bool at_end() const { return at_ == body_.size(); }
-
-  private:
-    const char* take(std::size_t count) {
-        expect(count <= body_.size() - at_);
-        at_ += count;
-        return body_.data() + (at_ - count);
-    }
-    std::span<const char> body_;
-    std::size_t at_ = 0;
-};
+template <class T>
+std::span<const T> aligned_values(ArchiveReader& in, std::uint64_t count) {
+    in.align(kAligned);
+    return in.values<T>(count);
+}
 
 std::vector<std::uint64_t> hashes_of(std::span<const char> body) {
     std::vector<std::uint64_t> hashes(body.size() / kPiece + 1);
@@ -100,7 +69,7 @@ bool is_place(const Level& level, std::uint64_t exemplar, std::uint64_t x,
     return x < std::uint64_t(sheet.width) && y < std::uint64_t(sheet.height);
 }
 
-// That whoever follows what the level says stays within it.
+// Checks that all matches, types and seeds of a level stay within its arrays.
 void expect_sound(const Level& level) {
     std::atomic<bool> sound = true;
     constexpr int kBlock = 1 << 16;
@@ -135,11 +104,11 @@ class MappedDatabase final : public Database {
         expect(std::memcmp(head.magic, kMagic, sizeof kMagic) == 0);
         expect(head.key == key && head.size == body.size());
         expect(head.checksum == checksum_of(head, hashes_of(body)));
-        read(head, Reader(body));
+        read(head, ArchiveReader({body.data(), body.size()}));
     }
 
   private:
-    void read(const Head& head, Reader in) {
+    void read(const Head& head, ArchiveReader in) {
         read_figures(head);
         std::vector<Size> sizes = read_exemplars(head.exemplars, in);
         for (std::uint32_t i = 0; i < head.levels; ++i) {
@@ -164,7 +133,7 @@ class MappedDatabase final : public Database {
         expect(head.types <= kMostTypes);
     }
 
-    std::vector<Size> read_exemplars(std::uint32_t count, Reader& in) {
+    std::vector<Size> read_exemplars(std::uint32_t count, ArchiveReader& in) {
         std::vector<Size> sizes;
         for (; count > 0; --count) {
             const auto width = in.value<std::uint32_t>();
@@ -172,25 +141,26 @@ class MappedDatabase final : public Database {
             expect(width >= 1 && width <= kLongestSide);
             expect(height >= 1 && height <= kLongestSide);
             sizes.push_back({static_cast<int>(width), static_cast<int>(height)});
-            names.push_back(in.text(in.at_most(kLongestName)));
+            names.push_back(in.text());
+            expect(names.back().size() <= kLongestName);
         }
         return sizes;
     }
 
     static Level level_of(const std::vector<Sheet>& sheets, std::uint32_t types,
-                          Reader& in) {
+                          ArchiveReader& in) {
         Level level;
         level.sheets = sheets;
         level.last_sign = in.value<std::array<std::int8_t, 8>>();
         std::vector<std::uint64_t> counts(types);
-        for (std::uint64_t& count : counts) count = in.at_most(kSeeds);
+        for (std::uint64_t& count : counts) count = in.at_most<std::uint64_t>(kSeeds);
         const std::size_t cells = cells_of(sheets);
-        level.heights = in.array<float>(cells);
-        level.appearance = in.array<Appearance>(cells);
-        level.matches = in.array<Match>(cells);
-        level.types = in.array<std::uint8_t>(cells);
+        level.heights = aligned_values<float>(in, cells);
+        level.appearance = aligned_values<Appearance>(in, cells);
+        level.matches = aligned_values<Match>(in, cells);
+        level.types = aligned_values<std::uint8_t>(in, cells);
         for (std::uint64_t count : counts)
-            level.seeds.push_back(in.array<std::uint64_t>(count));
+            level.seeds.push_back(aligned_values<std::uint64_t>(in, count));
         return level;
     }
 
@@ -206,11 +176,11 @@ std::shared_ptr<const Database> mapped_database(const std::filesystem::path& fil
                                                 std::uint64_t key) {
     try {
         auto database = std::make_shared<MappedDatabase>(file, key);
-        std::error_code ignored;  // when it was used last
+        std::error_code ignored;  // marks the file as used now
         std::filesystem::last_write_time(
             file, std::filesystem::file_time_type::clock::now(), ignored);
         return database;
-    } catch (const Damaged&) {
+    } catch (const DamagedArchive&) {
         return nullptr;
     }
 }

@@ -1,6 +1,9 @@
 #include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <string_view>
 
+#include "field/archive.h"
 #include "field/error.h"
 #include "field/files.h"
 #include "synth/texture/database/database_file.h"
@@ -9,31 +12,18 @@
 namespace cydonia::texture {
 namespace {
 
-// The body of a file, hashed as it goes out.
+// The body of a file, hashed piece by piece as it goes out.
 class Body {
   public:
     Body(std::ofstream& out, Progress& progress) : out_(out), progress_(progress) {
         piece_.reserve(kPiece);
     }
 
-    template <class T>
-    void value(const T& v) {
-        static_assert(std::has_unique_object_representations_v<T>);
-        bytes({reinterpret_cast<const char*>(&v), sizeof v});
-    }
-    template <class T>
-    void array(std::span<const T> values) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        static constexpr char kZeros[kAligned] = {};
-        bytes({kZeros, (kAligned - size_ % kAligned) % kAligned});
-        bytes({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
-    }
-    void bytes(std::span<const char> all) {
-        size_ += all.size();
+    void write(std::string_view all) {
         while (!all.empty()) {
-            const auto part = all.first(std::min(all.size(), kPiece - piece_.size()));
+            const auto part = all.substr(0, kPiece - piece_.size());
             piece_.insert(piece_.end(), part.begin(), part.end());
-            all = all.subspan(part.size());
+            all.remove_prefix(part.size());
             if (piece_.size() == kPiece) flush();
         }
     }
@@ -44,7 +34,6 @@ class Body {
         progress_.report(1.0);
     }
 
-    std::uint64_t size() const { return size_; }
     const std::vector<std::uint64_t>& hashes() const { return hashes_; }
 
   private:
@@ -52,14 +41,14 @@ class Body {
     Progress& progress_;
     std::vector<char> piece_;
     std::vector<std::uint64_t> hashes_;
-    std::uint64_t size_ = 0;
 };
 
-Head head_of(const Database& database, std::uint64_t key, const Body& body) {
+Head head_of(const Database& database, std::uint64_t key, std::uint64_t size,
+             const Body& body) {
     Head head{};
     std::memcpy(head.magic, kMagic, sizeof head.magic);
     head.key = key;
-    head.size = body.size();
+    head.size = size;
     head.spacing = database.spacing;
     head.unit = database.unit;
     head.lowest = database.lowest;
@@ -71,27 +60,31 @@ Head head_of(const Database& database, std::uint64_t key, const Body& body) {
     return head;
 }
 
-void put(Body& body, const Level& level) {
-    body.value(level.last_sign);
-    for (const auto& seeds : level.seeds)
-        body.value(static_cast<std::uint64_t>(seeds.size()));
-    body.array(level.heights);
-    body.array(level.appearance);
-    body.array(level.matches);
-    body.array(level.types);
-    for (const auto& seeds : level.seeds) body.array(seeds);
+template <class T>
+void put_aligned(ArchiveWriter& out, std::span<const T> values) {
+    out.align(kAligned);
+    out.values(values);
 }
 
-void put(Body& body, const Database& database) {
+void put(ArchiveWriter& out, const Level& level) {
+    out.value(level.last_sign);
+    for (const auto& seeds : level.seeds)
+        out.value(static_cast<std::uint64_t>(seeds.size()));
+    put_aligned(out, level.heights);
+    put_aligned(out, level.appearance);
+    put_aligned(out, level.matches);
+    put_aligned(out, level.types);
+    for (const auto& seeds : level.seeds) put_aligned(out, seeds);
+}
+
+void put(ArchiveWriter& out, const Database& database) {
     for (std::size_t e = 0; e < database.names.size(); ++e) {
         const Sheet& sheet = database.levels.front().sheets[e];
-        body.value(static_cast<std::uint32_t>(sheet.width));
-        body.value(static_cast<std::uint32_t>(sheet.height));
-        body.value(static_cast<std::uint64_t>(database.names[e].size()));
-        body.bytes(database.names[e]);
+        out.value(static_cast<std::uint32_t>(sheet.width));
+        out.value(static_cast<std::uint32_t>(sheet.height));
+        out.text(database.names[e]);
     }
-    for (const Level& level : database.levels) put(body, level);
-    body.flush();
+    for (const Level& level : database.levels) put(out, level);
 }
 
 }  // namespace
@@ -104,8 +97,10 @@ void write_database(const std::filesystem::path& file, std::uint64_t key,
         Head head{};
         out.write(reinterpret_cast<const char*>(&head), sizeof head);
         Body body(out, progress);
-        put(body, database);
-        head = head_of(database, key, body);
+        ArchiveWriter archive([&](std::string_view part) { body.write(part); });
+        put(archive, database);
+        body.flush();
+        head = head_of(database, key, archive.size(), body);
         out.seekp(0);
         out.write(reinterpret_cast<const char*>(&head), sizeof head);
         out.close();

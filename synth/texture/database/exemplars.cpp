@@ -34,13 +34,13 @@ void refuse_unusable(const std::string& name, const Model& model) {
     const auto [low, high] = std::ranges::minmax(heights);
     if (!(double(high) - low < 1e7))
         throw bad_request(
-            "{}: its heights go from {:g} to {:g} m, which is no land: check its unit "
+            "{}: its heights go from {:g} to {:g} m, which no land does: check its unit "
             "and "
             "vertical_scale",
             name, low, high);
     if (!(high - low > 1e-3f))
         throw bad_request(
-            "{}: all its heights are {:g} m: there is no land to take from it; remove it",
+            "{}: all its heights are {:g} m; a flat exemplar is of no use: remove it",
             name, low + 0.0f);  // no -0
 }
 
@@ -49,7 +49,7 @@ Model at_spacing(const std::string& name, Model model, double spacing,
     const double own = model.terrain.spacing;
     if (std::abs(own / spacing - 1.0) < 1e-3) return model;
     progress.note(
-        fmt::format("{}: its cells of {:.4g} m were resampled to the synthesis' {:.4g} m",
+        fmt::format("{}: resampled from cells of {:.4g} m to the synthesis' {:.4g} m",
                     name, own, spacing));
     const double columns =
         std::floor(model.terrain.heights.width() * own / spacing + 1e-6);
@@ -58,7 +58,7 @@ Model at_spacing(const std::string& name, Model model, double spacing,
     return resampled(model, spacing);
 }
 
-// T^0 of all lands.
+// Fills in the types, T^0, of all lands.
 void add_types(const Options& options, Lands& lands) {
     if (options.automatic_types && !options.types.empty()) {
         std::vector<Field<float>> heights;

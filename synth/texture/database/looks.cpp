@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::array<int, 3> kRadii{2, 5, 12};  // of the windows, blocks
 static_assert(3 * kRadii.size() == std::tuple_size_v<Look>);
-constexpr float kCalm = 0.02f;   // rises over run well below it are all calm
-constexpr float kLevel = 1e-4f;  // water, also where a model's heights are rounded
+constexpr float kCalm = 0.02f;   // rise over run: gentler slopes are all equally calm
+constexpr float kLevel = 1e-4f;  // rise over run of water, even with rounded heights
 
 // Blocks of kBlock by kBlock cells: their mean height and mean steepness.
 struct Blocks {
@@ -56,8 +56,8 @@ Field<float> field_of(const Field<float>& like, const Value& value) {
     return result;
 }
 
-// Steepness, spread of heights and departure from the mean height, each over the windows
-// of one radius; all as rises over runs, in a scale where twice is one step.
+// Adds steepness, spread of heights and departure from the mean height over the windows
+// of one radius. All are base-2 logarithms of a rise over a run.
 void add_looks(const Blocks& blocks, double spacing, std::size_t scale,
                Field<Look>& looks) {
     const int radius = kRadii[scale];

@@ -8,15 +8,16 @@
 
 namespace cydonia::texture {
 
-// Land is looked at in blocks of kBlock by kBlock cells: types are not asked for finer.
+// Land is described in blocks of kBlock by kBlock cells, as types are not asked for on
+// finer levels.
 inline constexpr int kBlock = 1 << kFinestGuided;
 
-// What a block's surroundings look like at three scales: steepness, relief, curvature.
+// Steepness, relief and curvature of a block's surroundings at three scales.
 using Look = std::array<float, 9>;
 
 struct Looks {
     Field<Look> numbers;
-    Field<std::uint8_t> level;  // 1: water, or as flat as it
+    Field<std::uint8_t> level;  // 1: water, or equally flat
 };
 
 Looks looks_of(const Field<float>& land, double spacing);

@@ -1,9 +1,10 @@
-// Similar neighbourhoods: a first guess from a k-d tree of their traits and from the
-// coarser level, handed on between neighbours as in Barnes et al., "PatchMatch: a
-// randomized correspondence algorithm for structural image editing", 2009 (He and Sun,
-// "Computing nearest-neighbor fields via propagation-assisted KD-trees", 2012, join them
-// likewise). Against the best there are, by RMS at a sample of places of level 0, matches
-// are 6 to 8% less alike on single models of a million cells and 14% on seven of them.
+// Finds similar neighbourhoods. First guesses come from a k-d tree of traits and from the
+// coarser level; neighbours then pass their matches on as in Barnes et al., "PatchMatch:
+// a randomized correspondence algorithm for structural image editing", 2009 (He and Sun,
+// "Computing nearest-neighbor fields via propagation-assisted KD-trees", 2012, combine
+// the two in the same way). At a sample of cells of level 0 the RMS dissimilarity of
+// these matches is 6 to 8% above that of the best ones on single models of a million
+// cells, and 14% above it on seven of them.
 #include "synth/texture/database/matches.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ std::span<const int> turns_of(int orientations) {
     return std::span(kAll).first(std::size_t(orientations));
 }
 
-// Tiles are scanned alone, each seeing the others as they were before the pass.
+// Each tile is scanned by itself and sees the other tiles as they were before the pass.
 struct Tile {
     int exemplar;
     int x0, y0, x1, y1;
@@ -52,7 +53,7 @@ std::uint64_t cells_without_guard(const LevelArrays& level) {
     return cells;
 }
 
-// Places of the level, evenly and as many as are well searched.
+// Evenly spread cells of the level, as many as can be searched in a reasonable time.
 std::vector<Sample> samples_of(const LevelArrays& level, const TraitSpace& space) {
     constexpr std::uint64_t kMost = 10'000'000;
     const std::uint64_t cells = cells_without_guard(level);
@@ -72,7 +73,7 @@ std::vector<Sample> samples_of(const LevelArrays& level, const TraitSpace& space
     return samples;
 }
 
-// For tiny levels, where nothing is far enough away.
+// The match on levels so small that no cell is far enough away.
 Match farthest_place(const LevelArrays& level, int from_x, int from_y) {
     Match match;
     int farthest = -1;
@@ -91,7 +92,7 @@ Match farthest_place(const LevelArrays& level, int from_x, int from_y) {
     return match;
 }
 
-// The matches of a level, as they get better.
+// The matches of a level while they are improved.
 class Search {
   public:
     Search(const LevelArrays& level, std::span<const int> turns)
@@ -104,10 +105,10 @@ class Search {
         each_cell(tile, false, [&](BestMatch& best) { try_all(best, level_, turns_); });
     }
     void start(const Tile& tile, const LevelArrays* coarser, const TraitSpace& space,
-               const AlikeTree& tree) {
+               const KdTree& tree) {
         each_cell(tile, false, [&](BestMatch& best) {
             if (coarser) try_coarser(best, *coarser);
-            for (int o : turns_) try_alike(best, o, space, tree);
+            for (int o : turns_) try_similar(best, o, space, tree);
         });
     }
     void before_pass() { before_ = matches_; }
@@ -180,7 +181,7 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
         each_tile([&](const Tile& tile) { search.exhaustive(tile); });
     } else {
         const TraitSpace space(level);
-        const AlikeTree tree(samples_of(level, space));
+        const KdTree tree(samples_of(level, space));
         each_tile([&](const Tile& tile) { search.start(tile, coarser, space, tree); });
         for (int pass = 0; pass < kPasses; ++pass) {
             search.before_pass();
@@ -190,11 +191,11 @@ void add_matches(LevelArrays& level, const LevelArrays* coarser, int orientation
     level.matches = search.taken();
 }
 
-float unlikeness(const LevelArrays& level, int exemplar, int x, int y,
-                 const Match& match) {
+float dissimilarity(const LevelArrays& level, int exemplar, int x, int y,
+                    const Match& match) {
     const Sheet& sheet = level.sheets[match.exemplar];
-    return unlikeness(wanted_view(level, exemplar, x, y, match.orientation),
-                      &level.appearance[sheet.index(match.x, match.y)], sheet.stride);
+    return dissimilarity(wanted_view(level, exemplar, x, y, match.orientation),
+                         &level.appearance[sheet.index(match.x, match.y)], sheet.stride);
 }
 
 float best_unlikeness(const LevelArrays& level, int exemplar, int x, int y,

@@ -1,6 +1,6 @@
 // Appearance space: Lefebvre and Hoppe, "Appearance-space texture synthesis", 2006, as
-// used by Gain, Merry and Marais 2015, section 4. Its components are kept within the
-// irreducible representations of the square's turns and mirrorings, so that turned land
+// used by Gain, Merry and Marais 2015, section 4. Each component belongs to one
+// irreducible representation of the square's turns and mirrorings, so that turned land
 // need not be stored.
 #include "synth/texture/database/appearance.h"
 
@@ -17,8 +17,9 @@ using Bases = Eigen::Matrix<double, 25, Eigen::Dynamic>;
 constexpr int at(Step s) { return (s.y + 2) * 5 + s.x + 2; }
 constexpr Step step_of(int i) { return {i % 5 - 2, i / 5 - 2}; }
 
-// Square roots of the Gaussian's weights, which sum to 1: as a vector of length 1 these
-// are the direction of the mean, and what is left without it is at right angles to them.
+// Square roots of the Gaussian's weights, which sum to 1. As a vector of length 1 they
+// are the direction of the mean, and a neighbourhood without its mean is orthogonal to
+// them.
 Patch root_weights() {
     constexpr double kWide = 1.25;  // cells
     Patch roots;
@@ -29,8 +30,7 @@ Patch root_weights() {
     return roots.normalized();
 }
 
-// A kind of pattern that turning only multiplies by a sign: of a quarter turn, and of
-// mirroring.
+// A kind of pattern that a quarter turn and a mirroring only multiply by a sign each.
 struct Kind {
     int turn, mirror;
     int sign(int orientation) const {
@@ -39,8 +39,9 @@ struct Kind {
 };
 constexpr Kind kKinds[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
-// An orthonormal basis: from each cell, what symmetry makes of a pattern that is 1 there.
-// Cells that are turned into one another give the same pattern, so one of each counts.
+// An orthonormal basis of a kind: for each cell, the symmetrised pattern that is 1 there.
+// Cells that are turned into one another give the same pattern, so only one of them is
+// used.
 template <class Spread>
 Bases basis(const Spread& spread, bool (*counts)(Step)) {
     Bases result(25, 0);
@@ -63,7 +64,7 @@ Bases basis_of(const Kind& kind) {
         [](Step s) { return s.x >= s.y && s.y >= 0; });
 }
 
-// Odd in x and even in y.
+// A basis of the patterns that are odd in x and even in y.
 Bases slope_basis() {
     return basis(
         [](Step s, Patch& pattern) {
@@ -83,7 +84,8 @@ Patch transposed(const Patch& pattern) {
 
 using Covariance = Eigen::Matrix<double, 25, 25>;
 
-// Of neighbourhoods without their mean, of at most about kEnough cells evenly.
+// The covariance of neighbourhoods without their mean, at about kEnough evenly spread
+// cells at most.
 Covariance covariance_of(const LevelArrays& level, const Patch& roots) {
     constexpr std::size_t kEnough = 100000;
     std::size_t cells = 0;
@@ -112,7 +114,8 @@ struct Component {
     Patch pattern;
 };
 
-// The strongest within a basis. Its sign: the first part that matters is positive.
+// The strongest pattern within a basis, with the sign that makes its first significant
+// part positive.
 Component strongest(const Covariance& covariance, const Bases& basis) {
     const Eigen::MatrixXd within = basis.transpose() * covariance * basis;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(within);
@@ -131,7 +134,8 @@ Modes::Weights rounded(const Patch& pattern) {
     return weights;
 }
 
-// The centre, which every symmetry leaves in place, makes the sum what it must be.
+// The centre, which every symmetry leaves in place, takes up the rounding error of the
+// sum.
 void make_sum(Modes::Weights& weights, std::int32_t sum) {
     for (std::int32_t weight : weights) sum -= weight;
     weights[12] += sum;
@@ -143,8 +147,9 @@ Modes modes_of(const LevelArrays& level) {
     const Patch roots = root_weights();
     const Covariance covariance = covariance_of(level, roots);
 
-    // Mean over the eight orientations: it has no parts across kinds (Schur), and the two
-    // halves of the slopes' block are one another's transpose.
+    // Averaged over the eight orientations the covariance has no entries between kinds
+    // (Schur's lemma), and the two halves of the slopes' block are each other's
+    // transpose.
     Covariance transposed_too = covariance;
     for (int i = 0; i < 25; ++i)
         for (int j = 0; j < 25; ++j) {

@@ -11,7 +11,7 @@ namespace {
 constexpr int kNumbers = 4 * kCompared.size();
 using Numbers = Eigen::Matrix<double, kNumbers, 1>;
 
-// So that the last bits of a library's functions do not decide between places.
+// Rounded, so that the last bits of a library's functions do not decide between cells.
 float rounded(double value) {
     return static_cast<float>(std::round(value * 4096.0) / 4096.0);
 }

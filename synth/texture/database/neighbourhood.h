@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "synth/texture/database/alike_tree.h"
+#include "synth/texture/database/kd_tree.h"
 #include "synth/texture/database/orientation.h"
 #include "synth/texture/database/pyramid.h"
 
@@ -14,13 +14,13 @@ namespace cydonia::texture {
 using Float4 = float __attribute__((vector_size(16)));
 
 // The cells of a neighbourhood that are compared: those that correction compares (eq. 4)
-// and the middle one; each tells of 5x5 around it. Wider ones, and more of them, made the
-// synthesis repeat itself a little more.
+// and the middle one, each of which describes the 5x5 cells around it. More cells, or
+// cells farther apart, made the synthesis repeat itself a little more.
 inline constexpr std::array<Step, 5> kCompared = {
     {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 inline constexpr float kComparedCells = kCompared.size();
 
-// What those cells show, with heights above the middle one's.
+// The appearance of those cells, with heights relative to the middle one.
 using View = std::array<Float4, kCompared.size()>;
 
 inline Float4 floats_of(const Appearance& a) {
@@ -30,13 +30,12 @@ inline Float4 floats_of(const Appearance& a) {
     return __builtin_convertvector(shorts, Float4);
 }
 
-// As an exemplar of this level would have to look to be, laid down with `orientation`,
-// like this place.
+// The view that an exemplar laid down with `orientation` must have to be like this cell.
 View wanted_view(const LevelArrays& level, int exemplar, int x, int y, int orientation);
 
-// The mean square of what is left between two neighbourhoods when the second is raised or
-// lowered to fit best. Units of appearance space, squared.
-inline float unlikeness(const View& wanted, const Appearance* at, int stride) {
+// The mean squared difference between two neighbourhoods when the second is raised or
+// lowered to fit best. In squared units of appearance space.
+inline float dissimilarity(const View& wanted, const Appearance* at, int stride) {
     const Float4 height = {float((*at)[0]), 0, 0, 0};
     Float4 squares{}, sum{};
     for (std::size_t k = 0; k < kCompared.size(); ++k) {
@@ -45,13 +44,13 @@ inline float unlikeness(const View& wanted, const Appearance* at, int stride) {
         squares += difference * difference;
         sum += difference;
     }
-    // That offset is the mean difference of heights.
+    // The best offset is the mean difference of heights.
     const float all = squares[0] + squares[1] + squares[2] + squares[3];
     return (all - sum[0] * sum[0] / kComparedCells) / kComparedCells;
 }
 
-// The directions in which the neighbourhoods of a level differ most; heights count above
-// their mean.
+// The directions in which the neighbourhoods of a level differ most, with heights
+// relative to their mean.
 class TraitSpace {
   public:
     explicit TraitSpace(const LevelArrays& level);

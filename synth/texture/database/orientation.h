@@ -4,9 +4,9 @@
 
 namespace cydonia::texture {
 
-// R, one of the eight ways to lay an exemplar down: `orientation` & 3 quarter turns, then
-// mirrored in x where it has 4. A step on the terrain is the step R(step) on the
-// exemplar.
+// R, one of the eight ways to lay an exemplar down: (`orientation` & 3) quarter turns,
+// then a mirroring in x where (`orientation` & 4). A step on the terrain is the step
+// R(step) on the exemplar.
 struct Step {
     int x, y;
     bool operator==(const Step&) const = default;
@@ -18,7 +18,7 @@ constexpr Step turned(int orientation, Step s) {
     return s;
 }
 
-// first, then second: turned(composed(a, b), s) == turned(b, turned(a, s)).
+// `first` followed by `second`: turned(composed(a, b), s) == turned(b, turned(a, s)).
 constexpr int composed(int first, int second) {
     for (int o = 0; o < 8; ++o) {
         bool same = true;

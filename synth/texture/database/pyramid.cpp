@@ -10,7 +10,7 @@
 namespace cydonia::texture {
 namespace {
 
-// Means of 2x2 cells.
+// The means of 2x2 cells.
 Field<float> halved(const Field<float>& fine) {
     const Size size = coarser_size({fine.width(), fine.height()});
     Field<float> coarse(size.width, size.height);
@@ -24,8 +24,8 @@ Field<float> halved(const Field<float>& fine) {
     return coarse;
 }
 
-// The commonest type in each square of `side` cells of T^0 (section 5.2), the first of
-// equals.
+// The most common type in each square of `side` by `side` cells of T^0 (section 5.2), and
+// the first of equally common ones.
 Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int side, int width,
                              int height) {
     Field<std::uint8_t> result(width, height);
@@ -42,8 +42,8 @@ Field<std::uint8_t> majority(const Field<std::uint8_t>& types, int side, int wid
     return result;
 }
 
-// kNowhere within 2.5 cells of voids: appearance would tell of interpolated land. A cell
-// of a coarse level counts as one when a quarter of it is.
+// Sets kNowhere within 2.5 cells of voids, where appearance would describe interpolated
+// land. A coarse cell is a void when at least a quarter of it is.
 void close_voids(const Field<float>& void_share, Field<std::uint8_t>& types) {
     for (int y = 0; y < types.height(); ++y)
         for (int x = 0; x < types.width(); ++x) {
@@ -71,7 +71,7 @@ struct Layer {
     Field<std::uint8_t> types;
 };
 
-// Takes the heights away; types are needed for every level.
+// Moves the heights out; the types are still needed for every level.
 Layer first_layer(Land& land) {
     Layer layer{std::move(land.heights), {}, land.types};
     if (!land.voids.empty()) {
@@ -114,7 +114,7 @@ LevelArrays arrays_of(const std::vector<Layer>& layers, int index) {
     return level;
 }
 
-// A level is of use while some exemplar has about 4x4 places on it.
+// A level is useful as long as some exemplar has about 4x4 usable cells.
 bool has_land(const LevelArrays& level) {
     constexpr std::size_t kFewest = 16;
     return std::ranges::any_of(level.sheets, [&](const Sheet& sheet) {
@@ -177,7 +177,7 @@ std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most) {
 }
 
 void sow(LevelArrays& level, int types) {
-    // Of each type's places those with the least hashes, the largest on top.
+    // For each type the cells with the smallest hashes, the largest of them on top.
     using Chosen = std::priority_queue<std::pair<std::uint64_t, std::uint64_t>>;
     std::vector<Chosen> chosen(static_cast<std::size_t>(types));
     for (std::uint64_t e = 0; e < level.sheets.size(); ++e) {

@@ -12,7 +12,7 @@
 
 namespace cydonia::texture {
 
-// An exemplar, ready to be taken apart.
+// An exemplar from which a pyramid is made.
 struct Land {
     std::string name;
     Field<float> heights;         // metres
@@ -20,7 +20,8 @@ struct Land {
     Field<std::uint8_t> types{};  // T^0: kNoType, or an index below kMostTypes
 };
 
-// A Level that is being made; what it shows is as long-lived as this.
+// A Level under construction, which owns its arrays. A view() is valid as long as this
+// lives.
 struct LevelArrays {
     std::vector<Sheet> sheets;
     std::vector<float> heights;
@@ -33,9 +34,10 @@ struct LevelArrays {
     Level view() const;
 };
 
-// Cells along a sheet's sides from which no land is taken: a candidate's neighbourhood
-// and its neighbours' must be there. Coarse levels do with less, where a cell is wide:
-// three of level 6 would be half of many an exemplar (bench/realism.sh).
+// The width in cells of the border of a sheet from which no land is taken, as a
+// candidate's neighbourhood and its neighbours' must lie on the sheet. Coarse levels,
+// whose cells are wide, have a narrower border: three cells of level 6 would be half of
+// many exemplars (bench/realism.sh).
 constexpr int border_of(int level) { return std::clamp(5 - level, 1, 3); }
 // The shortest side of an exemplar that leaves a neighbourhood of 5x5 inside its borders.
 inline constexpr int kShortestSide = 5 + 2 * border_of(0);
@@ -47,26 +49,27 @@ struct Size {
     int width = 0, height = 0;  // cells
 };
 
-// Of the next coarser level: an odd last row or column is left out.
+// The size of the next coarser level. An odd last row or column is left out.
 Size coarser_size(Size fine);
 
-// One after another, with their guards, in arrays of cells_of(sheets).
+// Sheets of these sizes, one after another with their guards, in arrays of
+// cells_of(sheets) cells.
 std::vector<Sheet> sheets_of(std::span<const Size> sizes);
 std::size_t cells_of(const std::vector<Sheet>& sheets);
 
 // E^i and T^i, each half as wide as the one before (a pyramid, not a stack: section 4),
-// with their guards: at most `most` of them, the first always, further ones while some
-// exemplar has land on them. Appearance and matches are still empty.
+// with their guards. There are at most `most` levels: the first always, and others while
+// some exemplar has land on them. Appearance and matches are left empty.
 std::vector<LevelArrays> pyramid_of(std::vector<Land> lands, int most);
 
-// Guard cells take what the border beside them has.
+// Gives guard cells the values of the nearest border cell.
 template <class T>
 void fill_guard(const Sheet& sheet, std::vector<T>& values);
 
-// How many cells of a sheet land can be taken from.
+// The number of cells of a sheet from which land can be taken.
 std::size_t places_of(const LevelArrays& level, const Sheet& sheet);
 
-// Up to kSeeds places of each of so many types, evenly over its land.
+// Chooses up to kSeeds cells of each type as seeds, evenly over its land.
 void sow(LevelArrays& level, int types);
 
 template <class T>

@@ -11,11 +11,14 @@
 #include "synth/texture/database/database.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-constexpr double kMostCells = 1 << 24;  // of a level, and pixels of the painting
+constexpr double kMostCells = 1 << 24;  // of a level; also pixels of the painting
 
-// A picture's types, kNoType where it is not painted, on a grid it is stretched over.
+// The types of a picture that is stretched over a grid; kNoType where nothing is painted.
 Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& types,
                              int width, int height) {
     std::vector<std::array<std::uint8_t, 3>> palette;
@@ -33,8 +36,9 @@ Field<std::uint8_t> types_in(const Source& picture, const std::vector<Type>& typ
     return result;
 }
 
-// Unions of `factor` by `factor` cells. A cell of any type asks for nothing and is left
-// out, else a thin band would be lost on coarse levels (docs/papers.md, Gain 2015, 5).
+// The unions of `factor` by `factor` cells. A cell of any type asks for nothing and is
+// left out; otherwise a thin band would vanish on coarse levels (docs/papers.md, Gain
+// 2015, 5).
 Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int height) {
     Field<TypeSet> result(width, height, kAnyType);
     parallel_for(height, 16, [&](int y) {
@@ -50,7 +54,8 @@ Field<TypeSet> united(const Field<TypeSet>& sets, int factor, int width, int hei
     return result;
 }
 
-// R of a level, from a painting drawn finer than its cells while memory allows.
+// R of a level, from a painting that is drawn finer than the level's cells as far as
+// memory allows.
 Field<TypeSet> sets_of(const Options& options, const Ground& ground, int level) {
     const double cell = std::ldexp(ground.spacing, level);
     const double across = ground.width / cell, down = ground.depth / cell;

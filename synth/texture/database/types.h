@@ -10,14 +10,14 @@
 
 namespace cydonia::texture {
 
-// What types the cells of the terrain may have (section 5.2), for every level from
-// kFinestGuided on; the finest two are free.
+// The types that cells of the terrain may have (section 5.2), on every level from
+// kFinestGuided on. On the two finest levels types are free.
 inline constexpr int kFinestGuided = 2;
 
 class TypeMap {
   public:
-    // Reads options.paint. Throws bad_request: a colour that no type has.
-    TypeMap(const Options& options, const Ground& ground, int levels);
+    // Reads options.paint. Throws bad_request for a colour that no type has.
+    TypeMap(const Options& options, const geometry::Ground& ground, int levels);
 
     bool empty() const;  // nothing painted
     // R^i of a window of level kFinestGuided or coarser; kAnyType outside the terrain.
@@ -28,14 +28,14 @@ class TypeMap {
     std::vector<Field<TypeSet>> levels_;  // from there on
 };
 
-// Types of an exemplar's cells, its T^0: painted, all one, or kNoType. `index` is its
-// place in options.exemplars.
+// The types, T^0, of an exemplar's cells: painted, all the same, or kNoType. `index`
+// counts options.exemplars.
 Field<std::uint8_t> painted_types(const Options& options, int index, int width,
                                   int height);
 
 // Types found from the land itself (Options::automatic_types): clusters by slope, relief
-// and curvature, the calmest first; where there is much water that is the first. One
-// field an exemplar.
+// and curvature, the calmest first. Where there is much water, it is the first. The
+// result has a field for each exemplar.
 std::vector<Field<std::uint8_t>> automatic_types(std::span<const Field<float>> heights,
                                                  double spacing, int types);
 

@@ -6,7 +6,7 @@
 
 namespace cydonia::texture {
 
-// Means over windows, from a table of sums.
+// Means over windows, computed from a summed-area table.
 class WindowSums {
   public:
     explicit WindowSums(const Field<float>& values)
@@ -19,7 +19,7 @@ class WindowSums {
             }
         }
     }
-    // Of the cells at most `radius` away that the field has.
+    // The mean of the field's cells at most `radius` cells away, each way.
     double mean(int x, int y, int radius) const {
         const int left = std::max(x - radius, 0), top = std::max(y - radius, 0);
         const int right = std::min(x + radius + 1, sums_.width() - 1);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 
@@ -11,24 +11,24 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using Float4 = float __attribute__((vector_size(16)));
 using Short4 = std::int16_t __attribute__((vector_size(8)));
 
-// A^i at places of a level, as the terrain sees it through their orientation.
+// Reads A^i at positions on the exemplars, as the terrain sees it in their orientation.
 class AppearanceReader {
   public:
     AppearanceReader(const Level& level, int index) : level_(level), index_(index) {
         for (int o = 0; o < 8; ++o) {
-            // Along a step of the terrain the slope is that along the exemplar's step.
+            // The slope along a step on the terrain is that along the exemplar's step.
             const Step e = kTurns.east[o], s = kTurns.south[o];
             swapped_[o] = e.x == 0;
             sign_[o] = Int4{1, e.x + e.y, s.x + s.y, level.last_sign[std::size_t(o)]};
         }
     }
 
-    // A place that neighbours are read around: for snapped ones all that does not depend
-    // on the neighbour.
+    // A position around which neighbours are read. For snapped positions it holds
+    // everything that does not depend on the neighbour.
     struct Around {
         Spot spot;
         const Appearance* cell = nullptr;
-        std::ptrdiff_t east = 0, south = 0;  // cells to the terrain's neighbours
+        std::ptrdiff_t east = 0, south = 0;  // index steps to the terrain's neighbours
     };
     template <bool kSnapped>
     Around around(const Spot& spot) const {
@@ -43,7 +43,7 @@ class AppearanceReader {
             std::ptrdiff_t(s.y) * sheet.stride + s.x};
     }
 
-    // What the terrain sees x cells east and y south of it.
+    // The appearance x cells to the east and y to the south of it on the terrain.
     template <bool kSnapped>
     Int4 at(const Around& place, int x, int y) const {
         const int o = place.spot.orientation;
@@ -58,7 +58,7 @@ class AppearanceReader {
         return o == 0 ? a : laid_down(a, o);
     }
 
-    // Soon to be read around.
+    // Prefetches what will be read around a position.
     void fetch(const Around& place) const {
         if (!place.cell) return;
         __builtin_prefetch(place.cell - place.south);
@@ -72,7 +72,7 @@ class AppearanceReader {
         return __builtin_convertvector(a, Int4);
     }
     Int4 cell(std::size_t index) const { return whole(&level_.appearance[index]); }
-    // Bilinear, with weights of 64 parts each way.
+    // Bilinear interpolation with weights in 64ths each way.
     Int4 between(const Sheet& sheet, const Spot& spot) const {
         const int x = spot.x - (1 << index_), y = spot.y - (1 << index_);
         const int bits = index_ + 1;

@@ -16,8 +16,8 @@ float deviation(std::vector<float> values) {
     return d > 0.0 ? static_cast<float>(d) : 1.0f;
 }
 
-// Mean step to the eastern and southern neighbours, of the cells under cell (x, y) of a
-// level `ratio` times as coarse.
+// The mean step in height to the eastern and southern neighbours, over the cells under
+// cell (x, y) of a level `ratio` times as coarse.
 float mean_step(const Level& level, const Sheet& sheet, int ratio, int x, int y) {
     float steps = 0.0f;
     int count = 0;

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 
-// What land is like at the cells of a level: its height, and the logarithm of the mean
-// step from cell to cell two levels finer. Both in standard deviations of all exemplars'
-// land. The database must outlive it.
+// Two numbers that describe the land at each cell of a level: its height, and the
+// logarithm of the mean step from cell to cell two levels finer. Both are in standard
+// deviations over all exemplars. The database must outlive it.
 class Character {
   public:
     Character(const Database& database, int level);
@@ -18,7 +18,8 @@ class Character {
     const Sheet& sheet(int exemplar) const {
         return of_.sheets[static_cast<std::size_t>(exemplar)];
     }
-    // In the arrays: the cell that a place is in, or the exemplar's nearest.
+    // The index in the arrays of the cell that contains a position, or of the exemplar's
+    // nearest cell.
     std::size_t index(Spot spot) const {
         const Sheet& s = sheet(spot.exemplar);
         spot = kept_inside(spot, s, level_);

@@ -15,31 +15,31 @@
 #include "synth/texture/database/pyramid.h"
 #include "synth/texture/synthesis/appearance_read.h"
 #include "synth/texture/synthesis/height_read.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 namespace {
 
 // The four diagonal neighbours of eq. 4 and 6.
 constexpr Step kDiagonals[4] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-// Eq. 3's steps, a cell's own place first: it keeps ties.
+// The steps of eq. 3. A cell's own is the first, so that it wins ties.
 constexpr Step kNeighbours[9] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
                                  {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
 
-// How much a height offset costs beside the four neighbours, from level 0 on:
-// free on coarse levels it evens out the land's relief, held on fine ones it holds seams
-// (docs/papers.md, trial 3; bench/realism.sh).
+// The weight of a height offset beside the four neighbours, from level 0 on. Held on fine
+// levels it keeps seams, free on coarse ones it evens out the relief (docs/papers.md,
+// Gain 2015, trial 3; bench/realism.sh).
 constexpr float kOffsetPrices[] = {0.0f, 0.0f, 0.0f, 0.5f, 2.0f, 4.0f};
 float offset_price(int level) {
     return kOffsetPrices[std::min<std::size_t>(std::size_t(level),
                                                std::size(kOffsetPrices) - 1)];
 }
 
-// Land of no asked type is corrected from this level on: above it blocks stay as they
-// were laid out (synth/texture/synthesis/pieces.h). There a correction spreads some
-// pieces over others, and what is left is a copy of large parts of an exemplar, some of
-// it twice (bench/realism.sh, columns used and repeated). So would the matches of this
-// level.
+// Where no type is requested, land is corrected from this level on. On coarser levels
+// blocks stay as they were laid out (synth/texture/synthesis/pieces.h), because a
+// correction would spread some pieces over others and leave copies of large parts of an
+// exemplar, some of them twice (bench/realism.sh, columns used and repeated). The matches
+// of this level would do the same.
 constexpr int kCoarsestCorrected = 4;
 
 constexpr int kSeedsOfType = 9;
@@ -57,10 +57,10 @@ template <bool kSnapped>
 class Pass {
   public:
     Pass(Synthesis& land, const Database& database, const Controls& controls,
-         const Asked& asked, const Kept& kept, int pass)
+         const CellGuidance& guidance, const PinnedRegion& pinned, int pass)
         : land_(land),
-          asked_(asked),
-          kept_(kept),
+          guidance_(guidance),
+          pinned_(pinned),
           controls_(controls),
           unit_(static_cast<float>(database.unit)),
           seed_(hash_of({controls.seed, key("seeds"), std::uint64_t(pass)})),
@@ -76,40 +76,40 @@ class Pass {
     }
 
     void cell(int x, int y) const {
-        const std::size_t at = land_.places.index(x, y);
-        const float weight = kept_.weights.empty() ? 1.0f : kept_.weights[at];
+        const std::size_t at = land_.origins.index(x, y);
+        const float weight = pinned_.weights.empty() ? 1.0f : pinned_.weights[at];
         if (weight == 0.0f) return keep(at);
         if (kSnapped && settled(at, weight)) return;
 
-        const TypeSet types = asked_.types.empty() ? kAnyType : asked_.types[at];
+        const TypeSet types = guidance_.types.empty() ? kAnyType : guidance_.types[at];
         if (land_.window.level > kCoarsestCorrected && types == kAnyType &&
             weight == 1.0f)
             return;
         Candidates candidates;
         gather(at, types, candidates);
         Contest contest(neighbourhood(at), price_at(at));
-        if (weight < 1.0f && may_be_used(spot_of(kept_.places[at]), types))
-            score_kept(at, weight, contest);
+        if (weight < 1.0f && may_be_used(spot_of(pinned_.origins[at]), types))
+            score_pinned(at, weight, contest);
         for (int i = 0; i < candidates.count; ++i) {
             const Candidate& candidate = candidates.all[std::size_t(i)];
             score(candidate.around, candidate.kappa, contest);
         }
         if (contest.nothing() && types != kAnyType) seed(x, y, types, contest);
         if (contest.nothing()) return;
-        land_.places[at] = place_of(contest.spot);
+        land_.origins[at] = origin_of(contest.spot);
         land_.offsets[at] = contest.offset;
-        if (!asked_.pulls.empty()) pull(at, contest.spot);
+        if (!guidance_.pulls.empty()) pull(at, contest.spot);
     }
 
   private:
-    // N_S, three times eq. 6.
+    // N_S of eq. 6, times three.
     struct Around {
         Int4 corners[4];
     };
     using Reading = AppearanceReader::Around;
-    // Q of eq. 3, each once, with what its score is multiplied by.
+    // A member of Q, eq. 3, and the factor of its score. No two have the same origin.
     struct Candidate {
-        Place place;
+        Origin place;
         Reading around;
         float kappa;
     };
@@ -131,17 +131,17 @@ class Pass {
 
     std::ptrdiff_t offset(Step s) const { return std::ptrdiff_t(s.y) * width_ + s.x; }
 
-    // Whether all that the score looks at continues this cell's land: then no other comes
-    // nearer, and only the height is left to solve for.
+    // Whether all cells that the score looks at continue this cell's land. Then no
+    // candidate fits better, and only the height is solved for.
     bool settled(std::size_t at, float weight) const {
-        const Place own = land_.places[at];
+        const Origin own = land_.origins[at];
         const Step e = kTurns.east[own.orientation()],
                    s = kTurns.south[own.orientation()];
         bool same = true;
         std::int64_t heights = 0;
         const auto look = [&](int dx, int dy) {
             const std::size_t there = at + offset({dx, dy});
-            const Place p = land_.places[there];
+            const Origin p = land_.origins[there];
             same &= p.x == own.x + std::uint32_t((e.x * dx + s.x * dy) * cell_);
             same &= p.y == own.y + std::uint32_t((e.y * dx + s.y * dy) * cell_);
             heights += land_.offsets[there];
@@ -152,17 +152,17 @@ class Pass {
             look(d.x, 2 * d.y);
             if (!same) return false;
         }
-        const bool kept = weight < 1.0f && kept_.places[at] == own;
-        land_.offsets[at] = kept ? kept_.offsets[at]
+        const bool kept = weight < 1.0f && pinned_.origins[at] == own;
+        land_.offsets[at] = kept ? pinned_.offsets[at]
                                  : static_cast<std::int32_t>(std::lrintf(
                                        static_cast<float>(heights) * (1.0f / 12.0f)));
         return true;
     }
 
-    // g of eq. 5: the appearance at one cell as its neighbour at -v sees it.
+    // g of eq. 5: the appearance at a cell as its neighbour at -v sees it.
     Int4 seen(std::size_t there, Step v) const {
         const Reading around =
-            read_.template around<kSnapped>(spot_of(land_.places[there]));
+            read_.template around<kSnapped>(spot_of(land_.origins[there]));
         Int4 a = read_.template at<kSnapped>(around, -v.x, -v.y);
         a[0] += land_.offsets[there];
         return a;
@@ -184,19 +184,19 @@ class Pass {
         const Sheet& sheet = level_.sheets[std::size_t(spot.exemplar)];
         return &level_.matches[sheet.index(spot.x >> (level + 1), spot.y >> (level + 1))];
     }
-    // C_2 at the place's cell; it lies in its cell as the place does in its own.
+    // C_2 of a position's cell, with the same offset from its cell's centre.
     Spot match_of(const Spot& spot) const {
         const Match m = *match_at(spot);
         const int o = kTurns.composed[spot.orientation][m.orientation];
         const int x = m.x * cell_ + cell_ / 2, y = m.y * cell_ + cell_ / 2;
         if (kSnapped) return {m.exemplar, o, x, y};
-        // A cell's width is a power of two.
+        // This works because a cell's width is a power of two.
         const Step within = kTurns(m.orientation, (spot.x & (cell_ - 1)) - cell_ / 2,
                                    (spot.y & (cell_ - 1)) - cell_ / 2);
         return {m.exemplar, o, x + within.x, y + within.y};
     }
 
-    // A neighbour's land, continued to this cell.
+    // A neighbour's land continued to this cell.
     Spot seen_from(const Spot& spot, Step d) const {
         return spot.moved(kTurns(spot.orientation, -d.x * cell_, -d.y * cell_));
     }
@@ -214,11 +214,11 @@ class Pass {
         return types == kAnyType || (type < kMostTypes && (types >> type & 1u));
     }
 
-    // Whether a match is of another type than the land that it stands for: on the finest
-    // two levels, where types are asked for no more, these alone would mix a tenth of the
-    // land that the coarser ones sorted.
+    // Whether a match has another type than the cell that it is a match of. On the two
+    // finest levels, where types are no longer requested, such matches alone would mix a
+    // tenth of the land that the coarser levels sorted.
     bool changes_type(const Spot& spot, const Spot& match) const {
-        if (!kSnapped || !asked_.typed) return false;
+        if (!kSnapped || !guidance_.typed) return false;
         const auto type = [&](const Spot& s) {
             const Sheet& sheet = level_.sheets[std::size_t(s.exemplar)];
             const int x = std::clamp(s.x >> (land_.window.level + 1), 0, sheet.width - 1);
@@ -232,7 +232,7 @@ class Pass {
     void gather(std::size_t at, TypeSet types, Candidates& candidates) const {
         Spot around[9];
         for (int i = 0; i < 9; ++i) {
-            around[i] = spot_of(land_.places[at + offset(kNeighbours[i])]);
+            around[i] = spot_of(land_.origins[at + offset(kNeighbours[i])]);
             if (kSnapped) __builtin_prefetch(match_at(around[i]));
         }
         for (int i = 0; i < 9; ++i)
@@ -245,10 +245,10 @@ class Pass {
         }
     }
 
-    // Scores come later, so that what they read can come meanwhile.
+    // Candidates are scored later, so that the prefetched memory can arrive first.
     void add(const Spot& spot, float kappa, TypeSet types, Candidates& candidates) const {
         if (!may_be_used(spot, types)) return;
-        const Place place = place_of(spot);
+        const Origin place = origin_of(spot);
         for (int i = 0; i < candidates.count; ++i)
             if (candidates.all[std::size_t(i)].place == place) return;
         Candidate& next = candidates.all[std::size_t(candidates.count++)];
@@ -256,12 +256,12 @@ class Pass {
         read_.fetch(next.around);
     }
 
-    // How a place's neighbourhood differs from N_S, in thirds of the database's unit:
-    // the height by which it lies off, and the rest of eq. 7 without it.
+    // How a candidate's neighbourhood differs from N_S: the offset in height, and the
+    // rest of eq. 7 without it. In thirds of the database's unit.
     struct Difference {
         float height, rest;
     };
-    // Without the second half of the work where the first makes the rest `enough`.
+    // Stops half way where the rest already reaches `enough`.
     Difference difference(const Reading& place, const Around& around,
                           float enough) const {
         Float4 d[4];
@@ -285,7 +285,7 @@ class Pass {
         return {mean, (squares[0] + squares[2]) + (squares[1] + squares[3])};
     }
 
-    // Eq. 7 with h in closed form.
+    // Eq. 7, with h solved in closed form.
     void score(const Reading& place, float kappa, Contest& contest) const {
         const auto [mean, rest] =
             difference(place, contest.around, contest.score / kappa);
@@ -298,32 +298,33 @@ class Pass {
             std::lrintf(4.0f / (4.0f + price) * mean * (1.0f / 3.0f)));
     }
 
-    // Of land that is to stay, at the height that it has: else a small change of height
-    // anywhere would move all the land by a little.
-    void score_kept(std::size_t at, float weight, Contest& contest) const {
-        const Spot spot = spot_of(kept_.places[at]);
+    // The score of pinned land, at its own height; otherwise a small change of height
+    // anywhere would move all land slightly.
+    void score_pinned(std::size_t at, float weight, Contest& contest) const {
+        const Spot spot = spot_of(pinned_.origins[at]);
         const auto [mean, rest] =
             difference(read_.template around<kSnapped>(spot), contest.around,
                        std::numeric_limits<float>::infinity());
-        const float offset = 3.0f * static_cast<float>(kept_.offsets[at]);
+        const float offset = 3.0f * static_cast<float>(pinned_.offsets[at]);
         contest.score = weight * (rest + 4.0f * (mean - offset) * (mean - offset) +
                                   contest.price * offset * offset);
         contest.spot = spot;
-        contest.offset = kept_.offsets[at];
+        contest.offset = pinned_.offsets[at];
     }
 
-    // Land that constraints hold up pays nothing for its height.
+    // Where constraints set the height, an offset costs nothing.
     float price_at(std::size_t at) const {
-        const bool held = !asked_.pulls.empty() && asked_.pulls[at].reach > 0.0f;
+        const bool held = !guidance_.pulls.empty() && guidance_.pulls[at].reach > 0.0f;
         return held ? 0.0f : price_;
     }
 
     void keep(std::size_t at) const {
-        land_.places[at] = kept_.places[at];
-        land_.offsets[at] = kept_.offsets[at];
+        land_.origins[at] = pinned_.origins[at];
+        land_.offsets[at] = pinned_.offsets[at];
     }
 
-    // Section 5.2: where no candidate is of an asked type, nine of each from anywhere.
+    // Section 5.2: where no candidate has a requested type, tries nine seeds of each such
+    // type.
     void seed(int x, int y, TypeSet types, Contest& contest) const {
         for (int t = 0; t < kMostTypes; ++t) {
             if (!(types >> t & 1u)) continue;
@@ -343,9 +344,9 @@ class Pass {
         }
     }
 
-    // Eq. 9: towards what points and curves ask for.
+    // Eq. 9: moves the height towards what points and curves ask for.
     void pull(std::size_t at, const Spot& spot) const {
-        const Pull& wish = asked_.pulls[at];
+        const Pull& wish = guidance_.pulls[at];
         if (!(wish.reach > 0.0f)) return;
         const float height = height_at(level_, land_.window.level, spot) +
                              unit_ * float(land_.offsets[at]);
@@ -355,8 +356,8 @@ class Pass {
     }
 
     Synthesis& land_;
-    const Asked& asked_;
-    const Kept& kept_;
+    const CellGuidance& guidance_;
+    const PinnedRegion& pinned_;
     const Controls& controls_;
     const float unit_;
     const std::uint64_t seed_;
@@ -370,8 +371,8 @@ class Pass {
 
 template <bool kSnapped>
 void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
-    // Cells of one parity look at none of their own, so that they change in place. Parity
-    // is that of the plane.
+    // Cells of one parity do not look at one another, so they can be changed in place.
+    // Parity is that of the cell's position on the plane, not in the window.
     for (int sub = 0; sub < 4; ++sub) {
         const int x0 = 2 + ((w.x + (sub & 1)) & 1);
         const int y0 = 2 + ((w.y + (sub >> 1)) & 1);
@@ -385,34 +386,34 @@ void correct_in_place(const Window& w, const Pass<kSnapped>& pass) {
 }  // namespace
 
 void correct(Synthesis& land, const Database& database, const Controls& controls,
-             const Asked& asked, const Kept& kept, int pass) {
-    const Asked of_finest{.typed = asked.typed};
+             const CellGuidance& guidance, const PinnedRegion& pinned, int pass) {
+    const CellGuidance of_finest{.typed = guidance.typed};
     if (is_snapped(land.window.level, controls))
         correct_in_place(land.window,
-                         Pass<true>(land, database, controls, of_finest, kept, pass));
+                         Pass<true>(land, database, controls, of_finest, pinned, pass));
     else
         correct_in_place(land.window,
-                         Pass<false>(land, database, controls, asked, kept, pass));
+                         Pass<false>(land, database, controls, guidance, pinned, pass));
 }
 
-void lift(Synthesis& land, const Database& database, const Asked& asked,
-          const Kept& kept) {
+void lift(Synthesis& land, const Database& database, const CellGuidance& guidance,
+          const PinnedRegion& pinned) {
     const Window& w = land.window;
     const Level& level = database.levels[std::size_t(w.level)];
     const float unit = static_cast<float>(database.unit);
     Field<float> heights(w.width, w.height);
     parallel_for(w.height, 16, [&](int y) {
         for (std::size_t i = heights.index(0, y); i < heights.index(0, y) + w.width; ++i)
-            if (asked.pulls[i].reach > 0.0f)
-                heights[i] = height_at(level, w.level, spot_of(land.places[i])) +
+            if (guidance.pulls[i].reach > 0.0f)
+                heights[i] = height_at(level, w.level, spot_of(land.origins[i])) +
                              unit * float(land.offsets[i]);
     });
     const Field<float> rise = residual_correction(
-        asked.pulls, heights, database.spacing * double(1 << w.level));
+        guidance.pulls, heights, database.spacing * double(1 << w.level));
     for (std::size_t i = 0; i < rise.size(); ++i) {
         land.offsets[i] += static_cast<std::int32_t>(std::lrintf(rise[i] / unit));
-        if (!kept.weights.empty() && kept.weights[i] == 0.0f)
-            land.offsets[i] = kept.offsets[i];
+        if (!pinned.weights.empty() && pinned.weights[i] == 0.0f)
+            land.offsets[i] = pinned.offsets[i];
     }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 
-// E at a place, metres, bilinear where it is between cells.
+// E at a position on an exemplar, metres; bilinear between cells.
 inline float height_at(const Level& level, int index, const Spot& spot) {
     const Sheet& sheet = level.sheets[std::size_t(spot.exemplar)];
     const int bits = index + 1, half = 1 << index;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr float kCoherent = 0.25f;  // section 5.3
 
-// What is asked of each cell of a window, as one number; 0: nothing.
-Field<std::uint64_t> asked_of(const Guidance& guidance, const Kept& pasted,
+// A hash of what is asked of each cell of a window; 0: nothing.
+Field<std::uint64_t> asked_of(const Guidance& guidance, const PinnedRegion& pasted,
                               const Window& window) {
     Field<std::uint64_t> asked(window.width, window.height);
     const auto add = [](std::uint64_t& to, std::uint64_t what) { to = mix(to ^ what); };
@@ -31,7 +31,7 @@ Field<std::uint64_t> asked_of(const Guidance& guidance, const Kept& pasted,
     }
     for (std::size_t i = 0; i < pasted.weights.size(); ++i)
         if (pasted.weights[i] == 0.0f)
-            add(asked[i], hash_of({pasted.places[i].x, pasted.places[i].y,
+            add(asked[i], hash_of({pasted.origins[i].x, pasted.origins[i].y,
                                    std::uint32_t(pasted.offsets[i])}));
     return asked;
 }
@@ -39,7 +39,7 @@ Field<std::uint64_t> asked_of(const Guidance& guidance, const Kept& pasted,
 }  // namespace
 
 Keeping::Keeping(const Guidance& guidance, std::optional<Run> last,
-                 std::optional<Region> frozen, const Controls& controls, int levels)
+                 std::optional<CellSet> frozen, const Controls& controls, int levels)
     : guidance_(guidance),
       last_(std::move(last)),
       frozen_(std::move(frozen)),
@@ -61,8 +61,9 @@ bool Keeping::same_asked(const Window& window, int x, int y) const {
            last_->asked[level](ax - then.x, ay - then.y);
 }
 
-Kept Keeping::kept(const Window& window, int pass) {
-    const Kept pasted = guidance_.kept ? guidance_.kept(window, pass) : Kept{};
+PinnedRegion Keeping::pinned(const Window& window, int pass) {
+    const PinnedRegion pasted =
+        guidance_.pinned ? guidance_.pinned(window, pass) : PinnedRegion{};
     const auto level = std::size_t(window.level);
     if (pass == 0 && window.level >= finest_guided_) {
         windows_[level] = window;
@@ -73,30 +74,30 @@ Kept Keeping::kept(const Window& window, int pass) {
 
     const std::vector<Synthesis>& passes = last_->passes[level];
     const Synthesis& last = passes[std::min(std::size_t(pass), passes.size() - 1)];
-    Kept kept{{window.width, window.height, 1.0f},
-              {window.width, window.height},
-              {window.width, window.height}};
+    PinnedRegion pinned{{window.width, window.height, 1.0f},
+                        {window.width, window.height},
+                        {window.width, window.height}};
     for (int row = 0; row < window.height; ++row) {
         for (int column = 0; column < window.width; ++column) {
             const int x = window.x + column, y = window.y + row;
-            const std::size_t i = kept.places.index(column, row);
+            const std::size_t i = pinned.origins.index(column, row);
             if (!pasted.weights.empty() && pasted.weights[i] == 0.0f) {
-                kept.weights[i] = 0.0f;
-                kept.places[i] = pasted.places[i];
-                kept.offsets[i] = pasted.offsets[i];
+                pinned.weights[i] = 0.0f;
+                pinned.origins[i] = pasted.origins[i];
+                pinned.offsets[i] = pasted.offsets[i];
             } else if (last.window.contains(x, y)) {
                 const std::size_t j =
-                    last.places.index(x - last.window.x, y - last.window.y);
-                kept.places[i] = last.places[j];
-                kept.offsets[i] = last.offsets[j];
+                    last.origins.index(x - last.window.x, y - last.window.y);
+                pinned.origins[i] = last.origins[j];
+                pinned.offsets[i] = last.offsets[j];
                 if (frozen_ && frozen_->at(window.level).holds(x, y))
-                    kept.weights[i] = 0.0f;
+                    pinned.weights[i] = 0.0f;
                 else if (same_asked(window, x, y))
-                    kept.weights[i] = kCoherent;
+                    pinned.weights[i] = kCoherent;
             }
         }
     }
-    return kept;
+    return pinned;
 }
 
 const Run& Keeping::finished(std::uint64_t database) {

@@ -7,29 +7,31 @@
 
 namespace cydonia::texture {
 
-// One run that keeps to the last one and is itself recorded (section 5.3).
+// Keeps one run coherent with the last one, and records it for the next (section 5.3).
 class Keeping {
   public:
-    // `guidance` without coherence. `frozen`: where the last run's land must stay; none:
-    // nowhere.
+    // `guidance` is that of a run without coherence. `frozen` is where the last run's
+    // land must stay.
     Keeping(const Guidance& guidance, std::optional<Run> last,
-            std::optional<Region> frozen, const Controls& controls, int levels);
+            std::optional<CellSet> frozen, const Controls& controls, int levels);
 
-    // W and what it is of: the last run's land is kept to where the same is asked as
-    // then. Called once for every pass of every level.
-    Kept kept(const Window& window, int pass);
+    // The land to keep, with its weights W: the last run's where the same is asked as
+    // then. To be called once for each pass of each level.
+    PinnedRegion pinned(const Window& window, int pass);
 
     Recording& passes() { return run_.passes; }
-    // The run, for the next one; `database` is whose places it holds.
+    // The finished run, to be stored for the next one. `database` is the key of the
+    // database that it used.
     const Run& finished(std::uint64_t database);
 
   private:
-    // The asked-for number of a cell's ancestor on the finest level that is guided.
+    // Whether the cell, or its ancestor on the finest guided level, is asked for the same
+    // as in the last run.
     bool same_asked(const Window& window, int x, int y) const;
 
     const Guidance& guidance_;
     std::optional<Run> last_;
-    std::optional<Region> frozen_;
+    std::optional<CellSet> frozen_;
     int finest_guided_;
     Run run_;
     std::vector<Window> windows_;  // of run_.asked

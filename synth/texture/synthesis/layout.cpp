@@ -12,17 +12,17 @@ namespace cydonia::texture {
 namespace {
 
 constexpr int kAround = Layout::kAround;
-constexpr int kBorder = 1;  // cells of the coarsest level that nothing starts from
-constexpr int kSweeps = 6;  // of the plane, each block chosen anew
+constexpr int kBorder = 1;  // cells of the coarsest level that no piece is taken from
+constexpr int kSweeps = 6;  // over the plane, which choose each block anew
 constexpr int kNear = 3;    // blocks within which the same land counts as repeated
-constexpr float kRepeated = 40.0f;  // what one costs that lies beside itself
-constexpr float kOverused = 1.0f;   // what one costs that is taken as often as others
+constexpr float kRepeated = 40.0f;  // cost of a piece beside itself
+constexpr float kOverused = 1.0f;   // cost of a piece that is used as often as others
 
 int wrapped(int block) { return block & (kAround - 1); }
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
-// The piece of each block: the one that costs least there, again and again over the plane
-// (iterated conditional modes, Besag 1986).
+// Chooses the piece of each block, in several sweeps over the plane: each time the piece
+// that costs least there (iterated conditional modes, Besag 1986).
 Field<int> arranged(const Pieces& pieces, std::uint64_t seed) {
     const Eigen::Index count = pieces.same.cols();
     Field<int> blocks(kAround, kAround);
@@ -59,9 +59,9 @@ Field<int> arranged(const Pieces& pieces, std::uint64_t seed) {
     return blocks;
 }
 
-// Where the heights of two pieces differ least, in each of a seam's rows: how many cells
-// on the second's side of the blocks' edge it begins (the minimum error boundary cut of
-// Efros and Freeman 2001, section 2.1). `first` and `second` say what land they have at
+// The seam along which the heights of two pieces differ least (the minimum error boundary
+// cut of Efros and Freeman 2001, section 2.1): for each row, how many cells beyond the
+// blocks' edge the second piece begins. `first` and `second` give the land of each at
 // (across, along).
 template <class Land>
 void cut(const Character& character, int side, int reach, Land first, Land second,
@@ -77,7 +77,7 @@ void cut(const Character& character, int side, int reach, Land first, Land secon
             differs[std::size_t(c + reach + 1)] = step * step;
         }
         for (int p = 0; p < places; ++p) {
-            // The cells on both sides of it.
+            // The cells on both sides of the seam.
             const std::size_t at = std::size_t(row * places + p);
             cost[at] = differs[std::size_t(p)] + differs[std::size_t(p + 1)];
             if (row == 0) continue;
@@ -125,7 +125,7 @@ void cut_seams(Layout& layout, const Character& character) {
 
 Spot Layout::land(int piece, int block_x, int block_y, int at_level, int x, int y) const {
     const Spot& middle = pieces[std::size_t(piece)];
-    // Half cells of level 0 from the block's middle.
+    // The distance from the block's centre in half cells of level 0.
     const int block = side * (2 << level), cell = 2 << at_level;
     const auto from_middle = [&](int i, int b) {
         return i * cell + cell / 2 - b * block - block / 2;

@@ -4,39 +4,39 @@
 #include <vector>
 
 #include "field/field.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
 
-// Which land of the exemplars each part of the plane starts from: a patchwork of pieces,
-// one a block, that comes again after kAround blocks each way.
+// The land of the exemplars from which each part of the plane starts: a patchwork of
+// pieces, one for each block, that repeats after kAround blocks each way.
 struct Layout {
     static constexpr int kAround = 32;
 
-    std::vector<Spot> pieces;  // land to choose from, by its middle; pieces overlap
-    Field<int> blocks;         // kAround x kAround, of `pieces`
+    std::vector<Spot> pieces;  // the pieces' centres on the exemplars; pieces overlap
+    Field<int> blocks;         // kAround x kAround indices in `pieces`
 
-    // Blocks are `side` cells of this level wide. A seam lies so many cells east of a
-    // block's west edge, for each of its rows, and south of its north edge, for each of
-    // its columns.
+    // Blocks are `side` cells of `level` wide. `west` tells for each row of a block how
+    // many cells east of its west edge the seam lies, `north` for each column how many
+    // cells south of its north edge.
     int level = 0, side = 0;
     std::vector<std::int8_t> west, north;
 
     int piece(int block_x, int block_y) const {
         return blocks(block_x & (kAround - 1), block_y & (kAround - 1));
     }
-    // The land that a piece laid on a block has for cell (x, y) of a level, inside the
-    // block or not. Not always inside the exemplar.
+    // The position on the exemplar of cell (x, y) of a level, if `piece` lies on the
+    // block. The cell may lie outside the block and the position outside the exemplar.
     Spot land(int piece, int block_x, int block_y, int at_level, int x, int y) const;
-    // The land of cell (x, y) of `level`, seams counted.
+    // The position on the exemplar of cell (x, y) of `level`, with seams.
     Spot at(int x, int y) const;
 };
 
-// A patchwork (Efros and Freeman 2001) of pieces, `side` cells of the coarsest level
-// wide. Each meets its four neighbours where it is most like them in height and
-// roughness, so that plains run out into plains and ranges go on; but it is not what
-// follows in the exemplar, so that no copy of it grows, and of all pieces about as much
-// is taken, the same land as far apart as can be. The seam between two lies where they
+// A patchwork (Efros and Freeman 2001) of pieces, which are `side` cells of the coarsest
+// level wide. Neighbouring pieces are similar in height and roughness where they meet, so
+// that plains continue as plains and ranges as ranges. They do not follow each other in
+// the exemplar, so that no large copy of it appears. All pieces are used about equally
+// often, and the same land is kept far apart. The seam between two pieces lies where they
 // differ least.
 Layout laid_out(const Database& database, int side, int orientations, std::uint64_t seed);
 

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "field/error.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-// Even-odd.
+// Whether a point is inside a polygon, by the even-odd rule.
 bool in_polygon(const std::vector<std::array<double, 2>>& outline, double x, double y) {
     bool inside = false;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
@@ -21,14 +24,14 @@ bool in_polygon(const std::vector<std::array<double, 2>>& outline, double x, dou
     return inside;
 }
 
-// The paste's own shape, metres east and north of `from`; a paste without one is as large
-// as its exemplar.
-struct Shape {
+// The shape of a paste, in metres east and north of `from`. A paste without a shape is as
+// large as its exemplar.
+struct PasteShape {
     const Paste& paste;
-    double radius;                  // metres; 0: a polygon or the whole
-    double half_width, half_depth;  // of its bounding box
+    double radius;  // of a disc, metres; 0: a polygon or the whole exemplar
+    double half_width, half_depth;  // of its bounding box, metres
 
-    Shape(const Paste& p, const Ground& ground, double width, double depth)
+    PasteShape(const Paste& p, const Ground& ground, double width, double depth)
         : paste(p), radius(p.radius.in(ground.width)) {
         half_width = half_depth = radius;
         if (radius == 0.0 && p.outline.empty()) {
@@ -46,7 +49,7 @@ struct Shape {
     }
 };
 
-// R for a region turned clockwise: steps on the terrain go back by as much.
+// R of a region that is turned clockwise: steps on the terrain turn back by as much.
 int orientation_of(const Paste& paste) {
     return ((4 - paste.turn) & 3) | (paste.mirror ? 4 : 0);
 }
@@ -67,13 +70,13 @@ Field<std::uint8_t> grown(const Field<std::uint8_t>& inside, int cells) {
 
 }  // namespace
 
-Region region_of(const Window& window, Field<std::uint8_t> inside, int levels) {
-    Region region;
+CellSet cell_set_of(const Window& window, Field<std::uint8_t> inside, int levels) {
+    CellSet region;
     region.finest = window.level;
     region.layers.push_back({window, grown(inside, kReadOut)});
     for (int i = 1; i < levels; ++i) {
-        const Region::Layer& fine = region.layers.back();
-        Region::Layer coarse{fine.window.coarser(), {}};
+        const CellSet::Layer& fine = region.layers.back();
+        CellSet::Layer coarse{fine.window.coarser(), {}};
         coarse.inside = {coarse.window.width, coarse.window.height};
         for (int y = 0; y < fine.window.height; ++y)
             for (int x = 0; x < fine.window.width; ++x)
@@ -91,7 +94,7 @@ Pasting::Pasting(const Options& options, const Database& database, const Ground&
     for (const Paste& paste : options.pastes) {
         Patch patch = patch_of(paste, ground);
         if (patch.exemplar == 0) {
-            // Coarser cells that the region touches reach beyond it.
+            // Coarser cells at the region's border reach beyond it.
             const int cell = 2 << finest;
             const int beyond = 2
                                << (static_cast<int>(database.levels.size()) - 1 - finest);
@@ -105,7 +108,7 @@ Pasting::Pasting(const Options& options, const Database& database, const Ground&
 }
 
 Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const {
-    const double half = 0.5 * ground.spacing;  // metres in half a cell of level 0
+    const double half = 0.5 * ground.spacing;  // half a cell of level 0, metres
     const int cell = 2 << finest_;
     double width = ground.width, depth = ground.depth;
     if (paste.exemplar > 0) {
@@ -113,10 +116,10 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
         width = 2.0 * half * sheet.width;
         depth = 2.0 * half * sheet.height;
     }
-    const Shape shape(paste, ground, width, depth);
+    const PasteShape shape(paste, ground, width, depth);
     const int o = paste.exemplar > 0 ? orientation_of(paste) : 0;
 
-    // To whole cells of the finest level, so that centres fall on centres.
+    // Rounds to whole cells of the finest level, so that centres fall on centres.
     const auto whole = [&](double half_cells) {
         return static_cast<int>(std::lround(half_cells / cell)) * cell;
     };
@@ -132,7 +135,7 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
                    whole(from_y - (e.y * to_x + s.y * to_y))};
     patch.raise = static_cast<std::int32_t>(std::lround(paste.raise / database_.unit));
 
-    // The part on the terrain and a little more, so that a border of it stays exact.
+    // The part on the terrain, and slightly more, so that its border stays exact.
     const bool across = e.x == 0;
     const double half_width = (across ? shape.half_depth : shape.half_width) / half;
     const double half_depth = (across ? shape.half_width : shape.half_depth) / half;
@@ -160,13 +163,13 @@ Pasting::Patch Pasting::patch_of(const Paste& paste, const Ground& ground) const
                                        (from_y - there.y - patch.shift.y) * half);
         }
     }
-    patch.region = region_of(window, std::move(inside),
-                             static_cast<int>(database_.levels.size()) - finest_);
+    patch.region = cell_set_of(window, std::move(inside),
+                               static_cast<int>(database_.levels.size()) - finest_);
     return patch;
 }
 
 bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int pass,
-                     Place& place, std::int32_t& offset) const {
+                     Origin& place, std::int32_t& offset) const {
     const int cell = 2 << window.level;
     const Step there =
         kTurns(patch.orientation, x * cell + cell / 2, y * cell + cell / 2);
@@ -174,13 +177,14 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
     Spot spot{patch.exemplar - 1, patch.orientation, from.x, from.y};
     offset = 0;
     if (patch.exemplar == 0) {
-        // The land of the cell that it falls into, from as far beside that one's middle.
+        // The land of the cell that contains the position, at the same offset from the
+        // cell's centre.
         const std::vector<Synthesis>& passes = patch.land[std::size_t(window.level)];
         const Synthesis& land = passes[std::min(std::size_t(pass), passes.size() - 1)];
         const int i = (from.x >> (window.level + 1)) - land.window.x;
         const int j = (from.y >> (window.level + 1)) - land.window.y;
-        if (!land.places.contains(i, j)) return false;
-        const Spot own = spot_of(land.places(i, j));
+        if (!land.origins.contains(i, j)) return false;
+        const Spot own = spot_of(land.origins(i, j));
         const int beside_x = (from.x & (cell - 1)) - cell / 2;
         const int beside_y = (from.y & (cell - 1)) - cell / 2;
         spot = own.moved(kTurns(own.orientation, beside_x, beside_y));
@@ -190,29 +194,30 @@ bool Pasting::source(const Patch& patch, const Window& window, int x, int y, int
         database_.levels[std::size_t(window.level)].sheets[std::size_t(spot.exemplar)];
     const Spot kept = kept_inside(spot, sheet, window.level);
     if (patch.exemplar > 0 && (kept.x != spot.x || kept.y != spot.y)) return false;
-    place = place_of(window.level <= finest_ + 1 ? Spot{kept.exemplar, kept.orientation,
-                                                        snapped(kept.x, window.level),
-                                                        snapped(kept.y, window.level)}
-                                                 : kept);
+    place = origin_of(window.level <= finest_ + 1 ? Spot{kept.exemplar, kept.orientation,
+                                                         snapped(kept.x, window.level),
+                                                         snapped(kept.y, window.level)}
+                                                  : kept);
     offset += patch.raise;
     return true;
 }
 
-void Pasting::lay_down(const Window& window, int pass, Kept& kept) const {
+void Pasting::lay_down(const Window& window, int pass, PinnedRegion& pinned) const {
     if (patches_.empty()) return;
-    if (kept.weights.empty())
-        kept = {{window.width, window.height, 1.0f},
-                {window.width, window.height},
-                {window.width, window.height}};
+    if (pinned.weights.empty())
+        pinned = {{window.width, window.height, 1.0f},
+                  {window.width, window.height},
+                  {window.width, window.height}};
     for (const Patch& patch : patches_) {
-        const Region::Layer& layer = patch.region.at(window.level);
+        const CellSet::Layer& layer = patch.region.at(window.level);
         for (int row = 0; row < window.height; ++row) {
             for (int column = 0; column < window.width; ++column) {
                 const int x = window.x + column, y = window.y + row;
                 if (!layer.holds(x, y)) continue;
-                const std::size_t i = kept.places.index(column, row);
-                if (source(patch, window, x, y, pass, kept.places[i], kept.offsets[i]))
-                    kept.weights[i] = 0.0f;
+                const std::size_t i = pinned.origins.index(column, row);
+                if (source(patch, window, x, y, pass, pinned.origins[i],
+                           pinned.offsets[i]))
+                    pinned.weights[i] = 0.0f;
             }
         }
     }

@@ -11,9 +11,9 @@
 
 namespace cydonia::texture {
 
-// Cells of the finest level and whatever covers one of them at coarser ones, as W's zeros
-// spread (section 5.3).
-struct Region {
+// A set of cells of the finest level, and on coarser levels all cells that contain one of
+// them, as the zeros of W spread (section 5.3).
+struct CellSet {
     struct Layer {
         Window window;
         Field<std::uint8_t> inside;
@@ -26,35 +26,38 @@ struct Region {
 
     const Layer& at(int level) const { return layers[std::size_t(level - finest)]; }
 };
-// Grown by what reading out looks at, so that heights inside are those of the places.
-Region region_of(const Window& window, Field<std::uint8_t> inside, int levels);
+// The set of a window's cells where `inside` is not 0, grown by the radius of the
+// read-out, so that heights inside depend on the set only.
+CellSet cell_set_of(const Window& window, Field<std::uint8_t> inside, int levels);
 
-// Regions that are put down and locked (section 5.3).
+// The regions that pastes put down and lock (section 5.3).
 class Pasting {
   public:
-    // `land`: all passes of a window without pastes, for those taken from the terrain.
+    // Makes all passes of a window of the land without pastes, for pastes that are taken
+    // from the terrain.
     using Land = std::function<Recording(const Window&)>;
-    // Throws bad_request for pastes that would leave nothing on the terrain.
-    Pasting(const Options& options, const Database& database, const Ground& ground,
-            int finest, const Land& land);
+    // Throws bad_request for a paste that lies outside the terrain.
+    Pasting(const Options& options, const Database& database,
+            const geometry::Ground& ground, int finest, const Land& land);
 
     bool empty() const { return patches_.empty(); }
-    // Locks the cells that pastes cover, later ones over earlier.
-    void lay_down(const Window& window, int pass, Kept& kept) const;
+    // Locks the cells that pastes cover; later pastes lie over earlier ones.
+    void lay_down(const Window& window, int pass, PinnedRegion& pinned) const;
 
   private:
     struct Patch {
-        Region region;     // where it is put
+        CellSet region;    // where it is put
         int exemplar = 0;  // from 1; 0: the terrain
         int orientation = 0;
-        Step shift;  // half cells: a cell's centre, turned, and this is where it is from
+        Step shift;  // half cells, added to a cell's turned centre
         std::int32_t raise = 0;
         Recording land;
     };
-    Patch patch_of(const Paste& paste, const Ground& ground) const;
-    // Whether there is such land; places of a pass as the last there is.
+    Patch patch_of(const Paste& paste, const geometry::Ground& ground) const;
+    // The land of a cell in a patch; false where it has none. For a pass beyond the last
+    // one the last is used.
     bool source(const Patch& patch, const Window& window, int x, int y, int pass,
-                Place& place, std::int32_t& offset) const;
+                Origin& place, std::int32_t& offset) const;
 
     const Database& database_;
     int finest_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field/parallel.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 
 // Gain, Merry and Marais 2015, figure 3: how patches form.
 
@@ -17,39 +17,41 @@ namespace {
 
 constexpr int kBlock = 16;
 
-// The exemplar's cell.
-int column(Place place, int level) { return spot_of(place).x >> (level + 1); }
-int row(Place place, int level) { return spot_of(place).y >> (level + 1); }
+// The column and the row of the exemplar's cell.
+int column(Origin place, int level) { return spot_of(place).x >> (level + 1); }
+int row(Origin place, int level) { return spot_of(place).y >> (level + 1); }
 
-// Whether b, a step away from a, is the land that lies a step away from a's.
-bool goes_on(Place from, Place to, Step step, int level) {
+// Whether the land at `to`, one step from `from`, is what the exemplar has one step away.
+bool goes_on(Origin from, Origin to, Step step, int level) {
     const Step there = turned(from.orientation(), step);
     const Spot a = spot_of(from), b = spot_of(to);
     return a.exemplar == b.exemplar && a.orientation == b.orientation &&
            a.x + there.x * (2 << level) == b.x && a.y + there.y * (2 << level) == b.y;
 }
 
-bool coherent(const Field<Place>& places, int level, int x, int y) {
+bool coherent(const Field<Origin>& origins, int level, int x, int y) {
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-            if (places.contains(x + dx, y + dy) &&
-                !goes_on(places(x, y), places(x + dx, y + dy), {dx, dy}, level)) {
+            if (origins.contains(x + dx, y + dy) &&
+                !goes_on(origins(x, y), origins(x + dx, y + dy), {dx, dy}, level)) {
                 return false;
             }
     return true;
 }
 
-double coherent_share(const Field<Place>& places, int level) {
-    std::vector<int> count(static_cast<std::size_t>(places.height()));
-    parallel_for(places.height(), 16, [&](int y) {
-        for (int x = 0; x < places.width(); ++x)
-            count[static_cast<std::size_t>(y)] += coherent(places, level, x, y);
+double coherent_share(const Field<Origin>& origins, int level) {
+    std::vector<int> count(static_cast<std::size_t>(origins.height()));
+    parallel_for(origins.height(), 16, [&](int y) {
+        for (int x = 0; x < origins.width(); ++x)
+            count[static_cast<std::size_t>(y)] += coherent(origins, level, x, y);
     });
     return std::accumulate(count.begin(), count.end(), 0.0) /
-           static_cast<double>(places.size());
+           static_cast<double>(origins.size());
 }
 
-// Sets of cells that grow together; each is known by its first cell.
+// Disjoint sets of cells (union-find), each named by its first cell. Whether two
+// neighbours belong together depends on both, which OpenCV's connectedComponents cannot
+// express.
 class Sets {
   public:
     explicit Sets(std::size_t cells) : parent_(cells) {
@@ -68,23 +70,24 @@ class Sets {
     std::vector<std::uint32_t> parent_;
 };
 
-// Cells of every patch, the largest first. Patches hang together by their cells' sides.
-std::vector<std::int64_t> patch_sizes(const Field<Place>& places, int level) {
-    Sets sets(places.size());
+// The number of cells of each patch, the largest first. Patches are connected by the
+// sides of cells.
+std::vector<std::int64_t> patch_sizes(const Field<Origin>& origins, int level) {
+    Sets sets(origins.size());
     const auto join = [&](int x, int y, Step step) {
-        if (!places.contains(x + step.x, y + step.y)) return;
-        const std::size_t a = places.index(x, y),
-                          b = places.index(x + step.x, y + step.y);
-        if (goes_on(places[a], places[b], step, level))
+        if (!origins.contains(x + step.x, y + step.y)) return;
+        const std::size_t a = origins.index(x, y),
+                          b = origins.index(x + step.x, y + step.y);
+        if (goes_on(origins[a], origins[b], step, level))
             sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
     };
-    for (int y = 0; y < places.height(); ++y)
-        for (int x = 0; x < places.width(); ++x) {
+    for (int y = 0; y < origins.height(); ++y)
+        for (int x = 0; x < origins.width(); ++x) {
             join(x, y, {1, 0});
             join(x, y, {0, 1});
         }
-    std::vector<std::int64_t> sizes(places.size());
-    for (std::uint32_t i = 0; i < places.size(); ++i) ++sizes[sets.first(i)];
+    std::vector<std::int64_t> sizes(origins.size());
+    for (std::uint32_t i = 0; i < origins.size(); ++i) ++sizes[sets.first(i)];
     std::erase(sizes, 0);
     std::ranges::sort(sizes, std::greater());
     return sizes;
@@ -97,8 +100,8 @@ std::int64_t half_way(const std::vector<std::int64_t>& sizes, std::size_t cells)
     return 0;
 }
 
-// Blocks that an exemplar ends within do not count.
-double used_share(const Database& database, const Field<Place>& places, int level) {
+// Blocks that extend beyond an exemplar do not count.
+double used_share(const Database& database, const Field<Origin>& origins, int level) {
     struct Blocks {
         int across, down;
         std::vector<char> used;
@@ -109,7 +112,7 @@ double used_share(const Database& database, const Field<Place>& places, int leve
         exemplars.push_back(
             {across, down, std::vector<char>(static_cast<std::size_t>(across * down))});
     }
-    for (Place place : places) {
+    for (Origin place : origins) {
         Blocks& blocks = exemplars.at(static_cast<std::size_t>(place.exemplar()));
         const int x = column(place, level) / kBlock, y = row(place, level) / kBlock;
         if (x < blocks.across && y < blocks.down)
@@ -125,29 +128,30 @@ double used_share(const Database& database, const Field<Place>& places, int leve
 
 }  // namespace
 
-PatchFigures patch_figures(const Database& database, const Field<Place>& places,
+PatchFigures patch_figures(const Database& database, const Field<Origin>& origins,
                            int level) {
-    if (places.empty()) return {};
-    const std::vector<std::int64_t> sizes = patch_sizes(places, level);
-    return {.coherent = coherent_share(places, level),
+    if (origins.empty()) return {};
+    const std::vector<std::int64_t> sizes = patch_sizes(origins, level);
+    return {.coherent = coherent_share(origins, level),
             .patches = static_cast<int>(sizes.size()),
-            .typical = half_way(sizes, places.size()),
+            .typical = half_way(sizes, origins.size()),
             .largest = sizes.front(),
-            .used = used_share(database, places, level)};
+            .used = used_share(database, origins, level)};
 }
 
-Field<Rgb8> source_map(const Database& database, const Field<Place>& places, int level) {
+Field<Rgb8> source_map(const Database& database, const Field<Origin>& origins,
+                       int level) {
     const auto share = [](double part, double of) {
         return static_cast<std::uint8_t>(
             std::lround(255.0 * std::clamp(part / std::max(of, 1.0), 0.0, 1.0)));
     };
     const auto sheets = database.levels.at(std::size_t(level)).sheets;
-    Field<Rgb8> map(places.width(), places.height());
+    Field<Rgb8> map(origins.width(), origins.height());
     for (std::size_t i = 0; i < map.size(); ++i) {
-        const int exemplar = places[i].exemplar();
+        const int exemplar = origins[i].exemplar();
         const Sheet& sheet = sheets[static_cast<std::size_t>(exemplar)];
-        map[i] = {share(column(places[i], level), sheet.width - 1),
-                  share(row(places[i], level), sheet.height - 1),
+        map[i] = {share(column(origins[i], level), sheet.width - 1),
+                  share(row(origins[i], level), sheet.height - 1),
                   share(exemplar, static_cast<double>(sheets.size()) - 1.0)};
     }
     return map;

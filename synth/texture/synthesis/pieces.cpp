@@ -10,8 +10,8 @@ namespace cydonia::texture {
 namespace {
 
 constexpr int kMostPieces = 768;
-// Of the difference in height between two pieces, how much is no difference where it is
-// one of all their border: offsets take it away.
+// The share of the mean difference in height along the common border of two pieces that
+// does not count, as offsets remove it.
 constexpr float kEvened = 0.5f;
 
 int orientation_of(const Spot& middle, int orientations) {
@@ -21,8 +21,8 @@ int orientation_of(const Spot& middle, int orientations) {
     return orientations == 2 ? 2 * n : n;
 }
 
-// Middles of pieces that lie in `cells` cells, no more than `step` from one to the next;
-// half cells of that level.
+// Centres of pieces along `cells` cells, at most `step` cells apart, in half cells of the
+// level.
 std::vector<int> middles_in(int cells, int side, int border, int step) {
     const int room = std::max(0, cells - 2 * border - side);
     const int steps = (room + step - 1) / step;
@@ -35,7 +35,7 @@ std::vector<int> middles_in(int cells, int side, int border, int step) {
 std::vector<Spot> spread(const Character& character, int side, int border, int step,
                          int orientations) {
     const int half = character.half();
-    std::vector<Spot> all, whole;  // whole: at least half of it is land
+    std::vector<Spot> all, whole;  // in `whole` at least half is land
     for (int e = 0; e < character.exemplars(); ++e) {
         const Sheet& sheet = character.sheet(e);
         for (const int y : middles_in(sheet.height, side, border, step))
@@ -54,8 +54,8 @@ std::vector<Spot> spread(const Character& character, int side, int border, int s
     return whole.empty() ? all : whole;
 }
 
-// What pieces are like along one of their edges, a column each: heights, then roughness.
-// Samples are every second cell along the edge and the four across it.
+// Heights and roughness of pieces along one of their edges, a column for each piece.
+// Samples are every second cell along the edge and four across it.
 struct Strips {
     Eigen::MatrixXf heights, roughnesses;
 };
@@ -67,7 +67,7 @@ Strips strips_of(const std::vector<Spot>& middles, const Character& character, i
     parallel_for(int(count), 16, [&](int p) {
         const Spot& middle = middles[std::size_t(p)];
         for (int sample = 0; sample < 4 * along; ++sample) {
-            // Half cells from the piece's middle to the sample's.
+            // The distance from the piece's centre to the sample in half cells.
             const int u = edge * side + 2 * (sample % 4) - 3;
             const int v = 4 * (sample / 4) - side - 3;
             const Step s = kTurns(middle.orientation, (upright ? u : v) * half,
@@ -80,8 +80,8 @@ Strips strips_of(const std::vector<Spot>& middles, const Character& character, i
     return strips;
 }
 
-// Mean squared differences between all of the one and all of the other:
-// |a - b|^2 = |a|^2 + |b|^2 - 2 a.b.
+// The mean squared differences between all columns of one and all of the other: |a - b|^2
+// = |a|^2 + |b|^2 - 2 a.b.
 Eigen::MatrixXf differences(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
     Eigen::MatrixXf result = -2.0f * (a.transpose() * b);
     result.colwise() += a.colwise().squaredNorm().transpose();
@@ -99,7 +99,7 @@ Eigen::MatrixXf costs_between(const Strips& first, const Strips& second) {
     return costs;
 }
 
-// Whether `b` is what the exemplar has a step from `a`, half a piece's width or less off.
+// Whether `b` follows `a` in the exemplar, give or take less than half a piece's width.
 bool follows(const Spot& a, const Spot& b, int width, bool east) {
     const Step s = kTurns(a.orientation, east ? width : 0, east ? 0 : width);
     return a.exemplar == b.exemplar && a.orientation == b.orientation &&
@@ -136,7 +136,7 @@ Pieces pieces_of(const Character& character, int side, int border, int orientati
         const Spot& b = pieces.middles[std::size_t(j)];
         for (Eigen::Index i = 0; i < count; ++i) {
             const Spot& a = pieces.middles[std::size_t(i)];
-            // Seams show more of a piece than its block.
+            // With seams a piece covers more than its block.
             pieces.same(i, j) = same_land(a, b, width * 4 / 3);
             if (follows(a, b, width, true)) pieces.west(i, j) += kFollowing;
             if (follows(a, b, width, false)) pieces.north(i, j) += kFollowing;

@@ -7,20 +7,21 @@
 
 namespace cydonia::texture {
 
-// Square pieces of the exemplars' land, which overlap, and what it costs to lay them
-// beside each other. Matrices, piece by piece.
+// Overlapping square pieces of the exemplars' land, and the cost of laying one beside
+// another. Matrices have a row and a column for each piece.
 struct Pieces {
     std::vector<Spot> middles;
-    // How unlike they are where they meet, the one west or north of the other: squared
-    // standard deviations. kFollowing more where that is much as in the exemplar.
+    // The dissimilarity where two pieces meet, the first west or north of the second, in
+    // squared standard deviations; kFollowing is added where they meet in much the same
+    // way in the exemplar.
     Eigen::MatrixXf west, north;
-    Eigen::MatrixXf same;  // share of the one's land that is the other's too
+    Eigen::MatrixXf same;  // share of a piece's land that is also the other's
 };
 inline constexpr float kFollowing = 100.0f;
 
-// Pieces of `side` cells of a level, as many as there is time to compare. `character` is
-// of that level. Nothing is taken from within `border` cells of an exemplar's edge. Each
-// is turned or mirrored in one of the orientations that are allowed.
+// Pieces of `side` cells of the level of `character`, as many as can be compared in a
+// reasonable time. None comes within `border` cells of an exemplar's edge. Each is turned
+// or mirrored in one of the allowed orientations.
 Pieces pieces_of(const Character& character, int side, int border, int orientations);
 
 }  // namespace cydonia::texture

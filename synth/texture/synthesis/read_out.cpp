@@ -4,24 +4,24 @@
 
 #include "field/parallel.h"
 #include "synth/texture/synthesis/height_read.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/synthesis.h"
 
 namespace cydonia::texture {
 namespace {
 
-constexpr int kFade = 2;  // cells that a cross-fade looks around
+constexpr int kFade = 2;  // radius of a cross-fade, cells
 static_assert(kReadOut == kFade + 1);
 
-// Where a cell does not continue the land of its western or its northern neighbour.
-// Heights within one land differ by offsets that change smoothly.
+// Marks cells that do not continue the land of their western or their northern neighbour.
+// Within one patch offsets change smoothly.
 constexpr std::uint8_t kWest = 1, kNorth = 2;
 Field<std::uint8_t> seams(const Synthesis& land) {
     const Window& w = land.window;
     const int cell = 2 << w.level;
     Field<std::uint8_t> seam(w.width, w.height);
     const auto continues = [&](std::size_t a, std::size_t b, Step s) {
-        const Place p = land.places[a], q = land.places[b];
+        const Origin p = land.origins[a], q = land.origins[b];
         const Step t = kTurns(p.orientation(), s.x * cell, s.y * cell);
         return q.x == p.x + std::uint32_t(t.x) && q.y == p.y + std::uint32_t(t.y);
     };
@@ -36,8 +36,8 @@ Field<std::uint8_t> seams(const Synthesis& land) {
     return seam;
 }
 
-// Not 0 where the cells within kFade are not all of one land. The seam before the
-// first of them is none of theirs.
+// Not 0 where the cells within kFade are not all of one patch. A seam before the first of
+// them does not count.
 Field<std::uint8_t> near_seams(const Field<std::uint8_t>& seam) {
     Field<std::uint8_t> rows(seam.width(), seam.height());
     Field<std::uint8_t> near(seam.width(), seam.height());
@@ -74,7 +74,8 @@ struct Weights {
     }
 };
 
-// What land of one place is as high as there, or a cross-fade of all around.
+// Inside a patch the height is the exemplar's; near seams it is a cross-fade of all
+// patches around.
 struct ReadOut {
     Field<float> heights;       // without the outermost kFade cells
     Field<std::uint8_t> faded;  // of the whole window
@@ -92,15 +93,15 @@ ReadOut read_out(const Database& database, const Synthesis& land) {
             const int cx = x + kFade, cy = y + kFade;
             if (!out.faded(cx, cy)) {
                 out.heights(x, y) =
-                    height_at(level, w.level, spot_of(land.places(cx, cy))) +
+                    height_at(level, w.level, spot_of(land.origins(cx, cy))) +
                     metres * float(land.offsets(cx, cy));
                 continue;
             }
             float sum = 0.0f;
             for (int dy = -kFade; dy <= kFade; ++dy) {
                 for (int dx = -kFade; dx <= kFade; ++dx) {
-                    const std::size_t i = land.places.index(cx + dx, cy + dy);
-                    const Spot spot = spot_of(land.places[i]);
+                    const std::size_t i = land.origins.index(cx + dx, cy + dy);
+                    const Spot spot = spot_of(land.origins[i]);
                     const Step back = kTurns(spot.orientation, -dx * cell, -dy * cell);
                     sum += weights.of[dy + kFade][dx + kFade] *
                            (height_at(level, w.level, spot.moved(back)) +

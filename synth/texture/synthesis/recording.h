@@ -9,15 +9,16 @@
 
 namespace cydonia::texture {
 
-// A run to keep to (section 5.3): what its passes left and what it was asked for.
+// A run that the next one can keep to (section 5.3): the result of each of its passes and
+// what was asked of each cell.
 struct Run {
-    std::uint64_t database = 0;               // whose places these are
-    std::vector<Field<std::uint64_t>> asked;  // by level, windows as the passes'
+    std::uint64_t database = 0;  // key of the database that the origins refer to
+    std::vector<Field<std::uint64_t>> asked;  // for each level, of the passes' windows
     Recording passes;
 };
 
-// Written under a temporary name and checked when it is read: nothing when there is none,
-// or one that is damaged or of another version.
+// A run in a file (field/archive.h). load_run() gives nothing when the file is missing,
+// damaged or of another version.
 void store_run(const std::filesystem::path& file, const Run& run);
 std::optional<Run> load_run(const std::filesystem::path& file);
 

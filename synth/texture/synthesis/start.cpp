@@ -9,13 +9,13 @@
 namespace cydonia::texture {
 namespace {
 
-// Cells of the coarsest level that start as one piece of land, each way: smaller pieces
-// lose landforms and what drains where, larger ones leave little to choose from
+// The side of the pieces from which a synthesis starts, in cells of the coarsest level.
+// Smaller pieces lose landforms and drainage, larger ones leave too few to choose from
 // (bench/real-or-not.sh).
 constexpr int kLeastBlock = 4, kMostBlock = 8;
 constexpr double kShare = 0.4;  // of the smallest exemplar's shorter side
-// Pieces beside each other in the list are much the same land: a prime beyond their
-// number goes through all of them.
+// Pieces that follow each other in the list are nearly the same land. Steps of a prime
+// larger than their number visit all of them.
 constexpr int kStride = 1009;
 
 bool is_of(TypeSet types, const Level& level, const Spot& spot, int at) {
@@ -62,7 +62,7 @@ Synthesis started(const Database& database, const Layout& layout,
             const TypeSet asked = types.empty() ? kAnyType : types(column, row);
             for (int k = 1; k < count && !is_of(asked, level, spot, top); ++k)
                 spot = land_of(int((laid + std::int64_t{k} * kStride) % count));
-            land.places(column, row) = place_of(spot);
+            land.origins(column, row) = origin_of(spot);
         }
     return land;
 }
@@ -75,7 +75,7 @@ void cut_out(Synthesis& land, const Database& database, const Layout& layout,
         for (int column = 0; column < window.width; ++column) {
             if (!types.empty() && types(column, row) != kAnyType) continue;
             const Spot spot = layout.at(window.x + column, window.y + row);
-            land.places(column, row) = place_of(kept_inside(
+            land.origins(column, row) = origin_of(kept_inside(
                 spot, level.sheets[std::size_t(spot.exemplar)], window.level));
         }
 }

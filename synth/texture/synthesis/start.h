@@ -5,17 +5,17 @@
 
 namespace cydonia::texture {
 
-// Where a synthesis starts from, unless types are asked for: see layout.h.
+// The layout from which a synthesis starts; see layout.h.
 Layout start_of(const Database& database, const Controls& controls);
 
 // The coarsest level before any correction: blocks of land from all over the exemplars.
-// Where a block's piece is not of a type that a cell asks for, another that is; `types`
-// may be empty.
+// Where a block's piece is not of a type that a cell asks for, another piece is taken for
+// that cell. `types` may be empty.
 Synthesis started(const Database& database, const Layout& layout,
                   const Field<TypeSet>& types, const Window& window);
 
-// The layout's seams, once its level is reached: coarser ones know but blocks. Land of
-// asked types stays as it is.
+// Applies the layout's seams on the layout's level, as coarser levels have whole blocks
+// only. Cells with a requested type stay as they are.
 void cut_out(Synthesis& land, const Database& database, const Layout& layout,
              const Field<TypeSet>& types);
 

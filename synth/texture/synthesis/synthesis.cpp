@@ -7,14 +7,14 @@
 #include "field/parallel.h"
 #include "field/random.h"
 #include "synth/texture/synthesis/correction.h"
-#include "synth/texture/synthesis/places.h"
+#include "synth/texture/synthesis/origins.h"
 #include "synth/texture/synthesis/start.h"
 
 namespace cydonia::texture {
 namespace {
 
-// Eq. 1 and 2. On the finest two levels places are snapped to the centres of cells, which
-// keeps the exemplar's finest detail (docs/papers.md, trial 1).
+// Eq. 1 and 2. On the two finest levels positions are snapped to the centres of cells,
+// which keeps the exemplar's finest detail (docs/papers.md, Gain 2015, trial 1).
 Synthesis upsampled(const Synthesis& coarse, const Database& database,
                     const Controls& controls, const Window& window) {
     const Level& level = database.levels[std::size_t(window.level)];
@@ -27,7 +27,7 @@ Synthesis upsampled(const Synthesis& coarse, const Database& database,
         for (int column = 0; column < window.width; ++column) {
             const int x = window.x + column;
             const int px = (x >> 1) - coarse.window.x, py = (y >> 1) - coarse.window.y;
-            const Place parent = coarse.places(px, py);
+            const Origin parent = coarse.origins(px, py);
             const Step s = turned(parent.orientation(),
                                   {(x & 1) ? half : -half, (y & 1) ? half : -half});
             double jx = 0.0, jy = 0.0;
@@ -46,7 +46,7 @@ Synthesis upsampled(const Synthesis& coarse, const Database& database,
                 spot = {spot.exemplar, spot.orientation,
                         texture::snapped(spot.x, window.level),
                         texture::snapped(spot.y, window.level)};
-            fine.places(column, row) = place_of(spot);
+            fine.origins(column, row) = origin_of(spot);
             fine.offsets(column, row) = coarse.offsets(px, py);
         }
     });
@@ -57,16 +57,16 @@ Synthesis cut(const Synthesis& land, const Window& window) {
     Synthesis part{window, {window.width, window.height}, {window.width, window.height}};
     for (int y = 0; y < window.height; ++y) {
         const int x0 = window.x - land.window.x, y0 = window.y - land.window.y;
-        std::copy_n(land.places.row(y0 + y).begin() + x0, window.width,
-                    part.places.row(y).begin());
+        std::copy_n(land.origins.row(y0 + y).begin() + x0, window.width,
+                    part.origins.row(y).begin());
         std::copy_n(land.offsets.row(y0 + y).begin() + x0, window.width,
                     part.offsets.row(y).begin());
     }
     return part;
 }
 
-Kept kept_at(const Guidance& guidance, const Window& window, int pass) {
-    return guidance.kept ? guidance.kept(window, pass) : Kept{};
+PinnedRegion pinned_at(const Guidance& guidance, const Window& window, int pass) {
+    return guidance.pinned ? guidance.pinned(window, pass) : PinnedRegion{};
 }
 
 }  // namespace
@@ -74,7 +74,8 @@ Kept kept_at(const Guidance& guidance, const Window& window, int pass) {
 Synthesis synthesised(const Database& database, const Controls& controls,
                       const Guidance& guidance, const Window& window, Recording* record,
                       Progress& progress) {
-    // What each level must know right, and what it works on for that.
+    // For each level the window that must be exact, and the larger one that is computed
+    // for that.
     const int top = static_cast<int>(database.levels.size()) - 1;
     std::vector<Window> worked(std::size_t(top) + 1);
     Window needed = window;
@@ -98,9 +99,10 @@ Synthesis synthesised(const Database& database, const Controls& controls,
     for (int level = top; level >= controls.finest; --level) {
         const Window& w = worked[std::size_t(level)];
         if (level < top) land = upsampled(land, database, controls, w);
-        const Asked asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
-                          types_at(level), guidance.types != nullptr};
-        // Where types are asked for no more, no cell could say that it is of one.
+        const CellGuidance asked{guidance.pulls ? guidance.pulls(w) : Field<Pull>(),
+                                 types_at(level), guidance.types != nullptr};
+        // On levels where types are no longer requested the cells do not say whether they
+        // were.
         const bool sorted = asked.typed && is_snapped(level, controls);
         if (level == layout.level && !sorted)
             cut_out(land, database, layout, asked.types);
@@ -108,13 +110,13 @@ Synthesis synthesised(const Database& database, const Controls& controls,
             if (record) (*record)[std::size_t(level)].push_back(land);
         };
         for (int pass = 0; pass < kPasses; ++pass) {
-            correct(land, database, controls, asked, kept_at(guidance, w, pass), pass);
+            correct(land, database, controls, asked, pinned_at(guidance, w, pass), pass);
             note();
             done += double(w.width) * w.height / (kPasses * cells);
             progress.report(done);
         }
         if (guidance.pulls) {
-            lift(land, database, asked, kept_at(guidance, w, kPasses));
+            lift(land, database, asked, pinned_at(guidance, w, kPasses));
             note();
         }
     }

@@ -13,41 +13,41 @@
 
 namespace cydonia::texture {
 
-// S, section 4: where a cell's land comes from. Half cells of level 0 from the exemplar's
-// north-west corner; `x` also carries the exemplar and its orientation.
-struct Place {
+// S of section 4: where a cell's land comes from. A position in half cells of level 0
+// from the exemplar's north-west corner; `x` also holds the exemplar and its orientation.
+struct Origin {
     std::uint32_t x = 0;  // exemplar << 24 | orientation << 21 | x
     std::uint32_t y = 0;
 
     int exemplar() const { return static_cast<int>(x >> 24); }
     int orientation() const { return static_cast<int>(x >> 21 & 7u); }
-    bool operator==(const Place&) const = default;
+    bool operator==(const Origin&) const = default;
 };
 
-// S and V of a window at its level.
+// S and V of the cells of a window.
 struct Synthesis {
     Window window;
-    Field<Place> places;
+    Field<Origin> origins;
     Field<std::int32_t> offsets;  // V, in Database::unit
 };
 
-// Land that is to stay (section 5.3), for a window and a pass: as one more candidate. The
-// pass after the last is what points and curves then lift.
-struct Kept {
-    Field<float> weights;  // W: 0 exactly this land, 1 none of it; empty: none anywhere
-    Field<Place> places;
+// Land that should stay (section 5.3), given for each window and pass as one more
+// candidate. The pass after the last is the result of lift().
+struct PinnedRegion {
+    Field<float> weights;  // W: 0: exactly this land; 1: none; empty: none anywhere
+    Field<Origin> origins;
     Field<std::int32_t> offsets;
 };
 
-// What steers a synthesis; each may be missing.
+// Functions that steer a synthesis; each may be empty.
 struct Guidance {
     std::function<Field<Pull>(const Window&)> pulls;
     std::function<Field<TypeSet>(const Window&)> types;
-    std::function<Kept(const Window&, int pass)> kept;
+    std::function<PinnedRegion(const Window&, int pass)> pinned;
 };
 
-// What each correction pass left behind, by level and pass; where there are points and
-// curves, then what they made of it.
+// The result of each correction pass, by level and pass. Where there are points and
+// curves, the result of lift() follows.
 using Recording = std::vector<std::vector<Synthesis>>;
 
 struct Controls {
@@ -56,18 +56,18 @@ struct Controls {
     double kappa = 2.0;
     double stiffness = 0.5, pull = 0.5;  // s and lambda of eq. 8
     int orientations = 1;
-    int finest = 0;  // the level to stop at
+    int finest = 0;  // level at which the synthesis stops
 };
 
-// Level controls.finest of the plane inside `window`. The same cells for every window
-// that holds them. `record` receives what every pass left, where it is not null.
+// The cells of a window of level controls.finest. A cell is the same in every window that
+// contains it. If `record` is not null, it receives the result of every pass.
 Synthesis synthesised(const Database& database, const Controls& controls,
                       const Guidance& guidance, const Window& window, Recording* record,
                       Progress& progress);
 
-// Heights of a synthesis, metres, without its outermost kReadOut cells: where neighbours
-// come from one place, that place's land; across seams a cross-fade, without the pits
-// that it makes.
+// Heights of a synthesis in metres, without its outermost kReadOut cells. Inside a patch
+// they are the exemplar's; across seams patches fade into one another, and the pits that
+// this makes are removed.
 inline constexpr int kReadOut = 3;
 Field<float> heights_of(const Database& database, const Synthesis& synthesis);
 

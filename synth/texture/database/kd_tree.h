@@ -7,7 +7,7 @@
 
 namespace cydonia::texture {
 
-// A place on an exemplar, and what its neighbourhood looks like in few numbers.
+// A cell of an exemplar, and a few numbers that describe its neighbourhood.
 inline constexpr int kTraits = 8;
 using Traits = std::array<float, kTraits>;
 struct Sample {
@@ -16,19 +16,19 @@ struct Sample {
     std::uint16_t x, y;
 };
 
-// Finds samples of traits near the asked ones: a k-d tree, its leaves in one array.
-class AlikeTree {
+// A k-d tree of samples by their traits. All its leaves lie in one array.
+class KdTree {
   public:
-    // The same for any number of threads.
-    explicit AlikeTree(std::vector<Sample> samples);
+    // The tree is the same for any number of threads.
+    explicit KdTree(std::vector<Sample> samples);
 
-    // The samples of the leaf that these traits fall into; none when there are none.
+    // The samples in the leaf that contains these traits; none in an empty tree.
     std::span<const Sample> around(const Traits& traits) const;
 
   private:
     struct Node {
         int axis;
-        float split;  // the upper side: at least this
+        float split;  // traits of at least this are on the upper side
     };
     static constexpr int kLeaf = 24;  // samples, at most
 

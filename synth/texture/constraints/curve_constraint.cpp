@@ -1,12 +1,15 @@
-#include "synth/texture/constraints/strand.h"
+#include "synth/texture/constraints/curve_constraint.h"
 
 #include "synth/geometry/nearest.h"
 
 namespace cydonia::texture {
+
+using namespace geometry;
+
 namespace {
 
-// The share of the right side's properties beside the place `share` along a line, for
-// something that lies `v` from it: 0 or 1, and around a free end all between.
+// The weight of the right side's properties for something that lies at `v` from the point
+// at `share` of a line: 0 or 1, and around a free end anything between.
 double right_share(const Shape& shape, int segment, double share, const Point2& v) {
     const bool begins = share <= 0.0, ends = share >= 1.0;
     const Point2& tangent = shape.tangents[segment + (ends ? 1 : 0)];
@@ -15,11 +18,10 @@ double right_share(const Shape& shape, int segment, double share, const Point2& 
     if (!shape.closed && (first || last)) {
         const double far = length(v);
         const double left = far > 0.0 ? cross(tangent, v) / far : 0.0;  // cosine
-        // Level at both sides, as the Hermite cubic in the angle, which is within 1% of
-        // it.
+        // This is level at both sides and within 1% of the Hermite cubic in the angle.
         return 0.5 * (1.0 - std::clamp(left, -1.0, 1.0));
     }
-    // At a corner the mean direction tells the sides apart.
+    // At a corner the mean direction decides which side is which.
     const Point2 way = begins || ends
                            ? tangent
                            : from_to(shape.points[segment], shape.points[segment + 1]);
@@ -28,7 +30,7 @@ double right_share(const Shape& shape, int segment, double share, const Point2& 
 
 }  // namespace
 
-Asked asked_by(const Shape& shape, const Course& course, int segment, const Point2& p) {
+Demand demand_of(const Shape& shape, const Course& course, int segment, const Point2& p) {
     const Point2 &a = shape.points[segment], &b = shape.points[segment + 1];
     const double share = nearest_share(a, b, p);
     const Point2 v = from_to(between(a, b, share), p);

@@ -6,7 +6,7 @@
 #include "field/noise.h"
 #include "synth/statistics/analysis.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 using enum Quantity;
@@ -165,4 +165,4 @@ TEST(Regions, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -9,7 +9,7 @@
 
 #include "synth/hydrology/depressions.h"
 
-namespace cydonia::texture {
+namespace cydonia::hydrology {
 namespace {
 
 constexpr double kSpacing = 10.0;
@@ -236,4 +236,4 @@ TEST(Breach, EveryRunGivesTheSameBytes) {
     EXPECT_EQ(one, many);
 }
 
-}  // namespace cydonia::texture
+}  // namespace cydonia::hydrology

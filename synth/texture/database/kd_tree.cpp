@@ -1,4 +1,4 @@
-#include "synth/texture/database/alike_tree.h"
+#include "synth/texture/database/kd_tree.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -8,7 +8,7 @@
 namespace cydonia::texture {
 namespace {
 
-// The axis along which samples differ most, by some of them.
+// The axis along which samples differ most, estimated from some of them.
 int widest_axis(std::span<const Sample> samples) {
     const std::size_t every = std::max<std::size_t>(1, samples.size() / 64);
     Traits sum{}, squares{};
@@ -24,17 +24,18 @@ int widest_axis(std::span<const Sample> samples) {
 
 }  // namespace
 
-AlikeTree::AlikeTree(std::vector<Sample> samples) : samples_(std::move(samples)) {
+KdTree::KdTree(std::vector<Sample> samples) : samples_(std::move(samples)) {
     while ((samples_.size() >> depth_) > kLeaf) ++depth_;
     nodes_.resize((std::size_t{1} << depth_) - 1);
     grow(0, samples_);
 }
 
-void AlikeTree::grow(std::size_t node, std::span<Sample> samples) {
+void KdTree::grow(std::size_t node, std::span<Sample> samples) {
     if (node >= nodes_.size()) return;
     const int axis = widest_axis(samples);
     const std::size_t half = samples.size() / 2;
-    // Places order what has equal traits, so that the halves are always the same.
+    // Samples with equal traits are ordered by position, so that the halves are always
+    // the same.
     std::nth_element(
         samples.begin(), samples.begin() + std::ptrdiff_t(half), samples.end(),
         [axis](const Sample& a, const Sample& b) {
@@ -53,7 +54,7 @@ void AlikeTree::grow(std::size_t node, std::span<Sample> samples) {
     }
 }
 
-std::span<const Sample> AlikeTree::around(const Traits& traits) const {
+std::span<const Sample> KdTree::around(const Traits& traits) const {
     std::size_t node = 0, first = 0, count = samples_.size();
     for (int level = 0; level < depth_; ++level) {
         const Node& at = nodes_[node];

@@ -7,7 +7,7 @@
 #include "synth/statistics/segmentation.h"
 #include "synth/statistics/water.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 Terrain land(double height, double h, std::uint64_t seed, int width = 240,
@@ -188,4 +188,4 @@ TEST(Water, MasksGrow) {
 }
 
 }  // namespace
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

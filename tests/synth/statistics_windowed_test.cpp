@@ -6,7 +6,7 @@
 #include "field/noise.h"
 #include "synth/statistics/windowed.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 Terrain land(int width, int height) {
@@ -74,4 +74,4 @@ TEST(Windowed, LevelLand) {
 }
 
 }  // namespace
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

@@ -9,8 +9,8 @@
 
 namespace cydonia::texture {
 
-// A Place taken apart: half cells of level 0, of which a cell of level i is 2^(i+1) wide.
-// Unlike a Place it may lie outside its exemplar.
+// An Origin unpacked: a position in half cells of level 0, of which a cell of level i is
+// 2^(i+1) wide. Unlike an Origin it may lie outside its exemplar.
 struct Spot {
     int exemplar = 0, orientation = 0;
     int x = 0, y = 0;
@@ -21,31 +21,31 @@ struct Spot {
     bool operator==(const Spot&) const = default;
 };
 
-inline Spot spot_of(const Place& place) {
+inline Spot spot_of(const Origin& place) {
     constexpr std::uint32_t kCoordinate = (1u << 21) - 1;
     return {place.exemplar(), place.orientation(), int(place.x & kCoordinate),
             int(place.y)};
 }
 
-inline Place place_of(const Spot& spot) {
+inline Origin origin_of(const Spot& spot) {
     return {std::uint32_t(spot.exemplar) << 24 | std::uint32_t(spot.orientation) << 21 |
                 std::uint32_t(spot.x),
             std::uint32_t(spot.y)};
 }
 
-// To the centre of its cell.
+// The coordinate of the centre of its cell.
 inline int snapped(int half_cells, int level) {
     return (half_cells >> (level + 1) << (level + 1)) + (1 << level);
 }
 
-// The same within the sheet, so that every stored place is on its exemplar.
+// The nearest position on the sheet, so that every stored origin lies on its exemplar.
 inline Spot kept_inside(Spot spot, const Sheet& sheet, int level) {
     spot.x = std::clamp(spot.x, 0, (sheet.width << (level + 1)) - 1);
     spot.y = std::clamp(spot.y, 0, (sheet.height << (level + 1)) - 1);
     return spot;
 }
 
-// Steps on the terrain as steps on the exemplar, for every orientation.
+// Converts steps on the terrain to steps on the exemplar, for each orientation.
 struct Turns {
     Step east[8], south[8];
     std::uint8_t composed[8][8];

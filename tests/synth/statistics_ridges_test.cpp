@@ -6,7 +6,7 @@
 #include "field/noise.h"
 #include "synth/statistics/ridges.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 constexpr double kSpacing = 30.0;
@@ -103,4 +103,4 @@ TEST(Peaks, AreFoundAtTheirOwnScale) {
 }
 
 }  // namespace
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics

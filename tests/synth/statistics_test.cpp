@@ -10,7 +10,7 @@
 #include "synth/statistics/edges.h"
 #include "synth/statistics/similarity.h"
 
-namespace cydonia::genetic {
+namespace cydonia::statistics {
 namespace {
 
 TEST(Statistics, AreKStatistics) {
@@ -197,4 +197,4 @@ TEST(Analysis, CoarserLevelsAreMeans) {
 }
 
 }  // namespace
-}  // namespace cydonia::genetic
+}  // namespace cydonia::statistics
