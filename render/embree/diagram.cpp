@@ -29,7 +29,6 @@ constexpr Rgb kWater{0.05f, 0.15f, 0.35f};
 constexpr Rgb kContourLine{0.22f, 0.09f, 0.03f};
 constexpr Rgb kGridLine{0.05f, 0.14f, 0.35f};
 
-
 // A colour between evenly spaced ones; `at` runs from 0 (first) to 1 (last).
 Rgb of_palette(std::span<const Rgb> colours, double at) {
     const auto last = static_cast<double>(colours.size() - 1);

@@ -17,16 +17,14 @@
 namespace cydonia::render {
 namespace {
 
-constexpr int kLongestGround =
-    512;  // samples a side of the land whose colours are computed
+constexpr int kLongestPainted = 512;  // samples a side whose colours are computed
 constexpr int kDomeHeight = 64;
 constexpr double kAmongLeaves = 0.5;  // share of the visible sky that reaches things
-
 
 // The land, reduced to the samples whose colours a preview can show.
 Terrain painted(const Terrain& t) {
     const int w = t.heights.width(), h = t.heights.height();
-    const int step = (std::max(w, h) + kLongestGround - 1) / kLongestGround;
+    const int step = (std::max(w, h) + kLongestPainted - 1) / kLongestPainted;
     if (step <= 1) return t;
     const int columns = std::max(2, w / step), rows = std::max(2, h / step);
     Terrain small;

@@ -30,8 +30,8 @@ Field<float> crags(const Field<float>& heights, double spacing, double wavelengt
             const double a = (heights(east, y) - heights(west, y)) * per_metre;
             const double b = (heights(x, south) - heights(x, north)) * per_metre;
             const double rough =
-                kLevel +
-                (1.0 - kLevel) * smoothstep(kCragsBegin, kCragsFull, std::sqrt(a * a + b * b));
+                kLevel + (1.0 - kLevel) * smoothstep(kCragsBegin, kCragsFull,
+                                                     std::sqrt(a * a + b * b));
             const double e = (x + 0.5) * spacing, s = (y + 0.5) * spacing;
             const double noise = texture_noise(e, s, wavelength, seed);
             const double where = texture_noise(e, s, 9.0 * wavelength, seed + 1);

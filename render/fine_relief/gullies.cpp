@@ -11,8 +11,8 @@
 namespace cydonia::render {
 namespace {
 
-constexpr float kStripeCell = 1.3f;   // side of a lattice cell, in wavelengths
-constexpr float kReach = 1.5f;  // reach of the stripes of an origin, in cells
+constexpr float kStripeCell = 1.3f;  // side of a lattice cell, in wavelengths
+constexpr float kReach = 1.5f;       // reach of the stripes of an origin, in cells
 constexpr float kLeastSlope = 0.14f,
                 kMostSlope = 0.75f;  // slopes at which gullies begin and are full
 constexpr float kWall = 1.1f,
@@ -92,7 +92,8 @@ Field<float> gullies(const Field<float>& heights, double spacing, double wavelen
                 std::sqrt(east_rise * east_rise + south_rise * south_rise);
             if (slope <= kLeastSlope) continue;
             // Across the slope, in turns a lattice cell.
-            const float ax = -south_rise / slope * kStripeCell, ay = east_rise / slope * kStripeCell;
+            const float ax = -south_rise / slope * kStripeCell,
+                        ay = east_rise / slope * kStripeCell;
             const float px = (static_cast<float>(x) + 0.5f) * lattice;
             const float py = (static_cast<float>(y) + 0.5f) * lattice;
             const Wave blend = blended(from, px, py, ax, ay);

@@ -127,7 +127,7 @@ std::optional<int> outcome_of(const std::filesystem::path& program,
         listen(output);
         if (std::chrono::steady_clock::now() > deadline) return std::nullopt;
     }
-    output += '\n';  // ends a last line that has no new line
+    if (!output.empty()) output += '\n';  // ends a last line without a new line
     listen(output);
     return child.outcome();
 }

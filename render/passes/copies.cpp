@@ -10,7 +10,6 @@
 namespace cydonia::render {
 namespace {
 
-
 // Clockwise from above, as POV-Ray turns about its y axis.
 Vec3 turned(const Vec3& v, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
@@ -100,11 +99,11 @@ Copies::Facet Copies::facet(unsigned instance, unsigned geometry, unsigned trian
     const auto shape = std::uint8_t(copy.first_shape + geometry);
     const auto& [part, normals] = shapes_[shape];
     const auto [a, b, c] = part.triangles[triangle];
-    const Vec3 normal =
-        normals.empty()
-            ? cross(vec3_of(part.vertices[b]) - vec3_of(part.vertices[a]),
-                    vec3_of(part.vertices[c]) - vec3_of(part.vertices[a]))
-            : (1.0 - u - v) * vec3_of(normals[a]) + u * vec3_of(normals[b]) + v * vec3_of(normals[c]);
+    const Vec3 normal = normals.empty()
+                            ? cross(vec3_of(part.vertices[b]) - vec3_of(part.vertices[a]),
+                                    vec3_of(part.vertices[c]) - vec3_of(part.vertices[a]))
+                            : (1.0 - u - v) * vec3_of(normals[a]) +
+                                  u * vec3_of(normals[b]) + v * vec3_of(normals[c]);
     return {copy.kind, shape, turned(normalized(normal), copy.turn)};
 }
 

@@ -35,35 +35,35 @@ std::array<float, 3> floats(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// The first hit of a ray and its distance, metres.
-struct Hit {
-    double distance = kNever;
-    Surface surface = Surface::kSky;
-    unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
-    float u = 0.0f, v = 0.0f;
-};
-
-// A level plane. `lands` copies on each side of the land bound its inside; it exists
-// inside, outside or both.
-struct Plane {
-    double height;
-    int lands;
-    bool inside, outside;
-    Surface surface;
-};
-
-// Where the rays from a seen point to the sun begin, in Embree's space, and the
-// surface's normal there.
-struct ShadowRayOrigin {
-    Vertex from{};
-    Vec3 normal{};  // zero for the sky
-};
-
 }  // namespace
 
 // Embree's x, y and z are metres east, north and up from the middle of the land, divided
 // by the spacing.
 struct View::Scene {
+    // The first hit of a ray and its distance, metres.
+    struct Hit {
+        double distance = kNever;
+        Surface surface = Surface::kSky;
+        unsigned instance = 0, geometry = 0, triangle = 0;  // of a thing, and where on it
+        float u = 0.0f, v = 0.0f;
+    };
+
+    // A level plane. `lands` copies on each side of the land bound its inside; it exists
+    // inside, outside or both.
+    struct Plane {
+        double height;
+        int lands;
+        bool inside, outside;
+        Surface surface;
+    };
+
+    // Where the rays from a seen point to the sun begin, in Embree's space, and the
+    // surface's normal there.
+    struct ShadowRayOrigin {
+        Vertex from{};
+        Vec3 normal{};  // zero for the sky
+    };
+
     Scene(const Terrain& land, const Scenery& scenery);
 
     void lay_land();
@@ -270,7 +270,7 @@ SeenPoint View::Scene::point(const Ray& ray, const Hit& hit, bool smooth,
     return seen;
 }
 
-ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
+View::Scene::ShadowRayOrigin View::Scene::shadow_ray_origin(const SeenPoint& p) const {
     if (p.surface == Surface::kSky) return {};
     Vec3 at = vec3_of(p.at), normal = vec3_of(p.normal);
     if (p.surface == Surface::kLand) {
@@ -329,7 +329,8 @@ void View::Scene::cloud(const Field<SeenPoint>& points, const Sun& sun,
     parallel_for(points.height(), 4, [&](int y) {
         for (int x = 0; x < points.width(); ++x) {
             if (points(x, y).surface == Surface::kSky || shadow(x, y) >= 1.0f) continue;
-            const double through = clouds.sunlight_through(vec3_of(points(x, y).at) - middle);
+            const double through =
+                clouds.sunlight_through(vec3_of(points(x, y).at) - middle);
             shadow(x, y) = static_cast<float>(1.0 - (1.0 - shadow(x, y)) * through);
         }
     });

@@ -21,10 +21,10 @@ struct ShadowReport {
     std::string name;
     Sun sun;
     double min_iou = 0.0;
-    ShadowScore score;       // in the image's window
-    double relaxed = 0.0;    // share of the window's cells that gave way to other images,
-    std::string rival = {};  // mostly to this one
-    std::optional<double> standing_out = {};  // where it was measured (figures.h)
+    ShadowScore score;     // within the image's window
+    double relaxed = 0.0;  // share of the window's cells that were left to other images,
+    std::string rival = {};                   // mostly to this one
+    std::optional<double> standing_out = {};  // if it was measured (figures.h)
 
     // Whether the image can be recognised.
     bool passed() const;

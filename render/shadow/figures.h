@@ -40,7 +40,7 @@ struct OtherSun {
     }
 };
 
-// The cells of the window in which an image gave way to others.
+// The cells of the window that an image left to others.
 struct Relaxed {
     double share = 0.0;  // of the window
     double bound = 1.0;  // the highest IoU possible when all of them are wrong

@@ -20,7 +20,7 @@ constexpr double kHour = kPi / kClockSuns;
 constexpr double kLowest = 2.0;     // degrees; a lower sun lights next to nothing
 constexpr double kFromRise = 30.0;  // degrees of azimuth from rise and set
 constexpr int kAcross = 4, kDown = 3;
-constexpr int kTile = 320;           // pixels, the longer side
+constexpr int kClockTile = 320;           // pixels, the longer side
 constexpr int kText = 22, kGap = 4;  // pixels
 constexpr Rgb8 kPaper{24, 24, 26};
 constexpr Rgb8 kWriting{200, 200, 200};
@@ -155,7 +155,7 @@ ClockSuns clock_suns(const Sun& own) {
 
 Field<Rgb8> sun_clock(const CheckedLand& land, const Sun& own) {
     const int w = land.heights.width(), h = land.heights.height();
-    const double scale = static_cast<double>(kTile) / std::max(w, h);
+    const double scale = static_cast<double>(kClockTile) / std::max(w, h);
     const cv::Size size(std::max(1, static_cast<int>(std::lround(w * scale))),
                         std::max(1, static_cast<int>(std::lround(h * scale))));
     const cv::Mat sky = sky_of(land, size);

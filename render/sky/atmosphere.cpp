@@ -31,7 +31,7 @@ constexpr double kAerosolAlbedo = 0.9, kAerosolG = 0.8;
 constexpr double kThinAir = 0.01, kDustHeight = 11e3;
 constexpr Vec3 kDustG{0.72, 0.76, 0.82};
 constexpr double kEndless = 1e9;
-constexpr double kLowestTabled = -0.2;          // sine of its elevation in the table
+constexpr double kLowestTabled = -0.2;       // sine of its elevation in the table
 constexpr double kDisc = 0.53 / 180.0 * pi;  // across
 
 double square(double v) { return v * v; }
@@ -164,7 +164,8 @@ Vec3 Atmosphere::sunlight(Vec3 p) const {
         std::sqrt(std::clamp((radius - kGround) / (kTop - kGround), 0.0, 1.0)) *
         (kSunLevels - 1);
     const double angle =
-        std::clamp((dot(p, sun_) / radius - kLowestTabled) / (1.0 - kLowestTabled), 0.0, 1.0) *
+        std::clamp((dot(p, sun_) / radius - kLowestTabled) / (1.0 - kLowestTabled), 0.0,
+                   1.0) *
         (kSunAngles - 1);
     const int i = std::min(static_cast<int>(level), kSunLevels - 2);
     const int j = std::min(static_cast<int>(angle), kSunAngles - 2);
@@ -225,14 +226,16 @@ Atmosphere::Marched Atmosphere::march(Vec3 from, Vec3 direction, int steps,
         const Vec3 passed = exp_of(-(t1 - t0) * m.extinction);
         const Vec3 gained = share(grey(1.0) - passed, m.extinction);
         result.light = result.light + product(through, product(scattered, gained));
-        result.feeding = result.feeding + product(through, product(m.scattering(), gained));
+        result.feeding =
+            result.feeding + product(through, product(m.scattering(), gained));
         through = product(through, passed);
     }
     result.passed = through;
     if (exit.ground) {
         const Vec3 p = from + exit.distance * direction;
         const double facing = std::max(0.0, dot(normalized(p), sun_));
-        result.light = result.light + product(through, ground_albedo_ * facing * sunlight(p));
+        result.light =
+            result.light + product(through, ground_albedo_ * facing * sunlight(p));
     }
     return result;
 }

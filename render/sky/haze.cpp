@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKoschmieder = 3.912;  // -log 0.02
 constexpr double kLand = 2000.0;        // metres above the sea
-constexpr double kToTheSky = 1e9;        // metres
+constexpr double kToTheSky = 1e9;       // metres
 // The least share of the sky that is recovered; below it half floats would show steps.
 constexpr double kLeastThrough = 0.03;
 constexpr int kFineRows = 1024;  // haze changes within a tenth of a degree there

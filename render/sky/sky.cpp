@@ -171,9 +171,10 @@ void draw_clouds(const CloudLayer& clouds, const Sky& sky, const Field<Rgb>& cle
             const int i = static_cast<int>(u) % clear.width(),
                       next = (i + 1) % clear.width();
             const double f = u - std::floor(u), g = v - j;
-            const Vec3 behind =
-                (1.0 - g) * ((1.0 - f) * vec3_of(clear(i, j)) + f * vec3_of(clear(next, j))) +
-                g * ((1.0 - f) * vec3_of(clear(i, j + 1)) + f * vec3_of(clear(next, j + 1)));
+            const Vec3 behind = (1.0 - g) * ((1.0 - f) * vec3_of(clear(i, j)) +
+                                             f * vec3_of(clear(next, j))) +
+                                g * ((1.0 - f) * vec3_of(clear(i, j + 1)) +
+                                     f * vec3_of(clear(next, j + 1)));
             const Vec3 toward = direction_of(x, y, dome.width(), height);
             const auto cloud = clouds.seen(toward, sunlight, skylight);
             const double near = std::exp(-0.035 / std::max(toward.z, 1e-3));

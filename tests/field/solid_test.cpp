@@ -22,8 +22,6 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
 // Rough land whose north-eastern corner is high.
 Terrain rough(int width, int height) {
     Terrain terrain{Field<float>(width, height), 10.0, {}, {}, {}};
@@ -57,8 +55,8 @@ void expect_closed(const Triangles& triangles) {
 double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (const auto& [a, b, c] : mesh.triangles) {
-        sum += dot(vec(mesh.vertices[a]),
-                   cross(vec(mesh.vertices[b]), vec(mesh.vertices[c])));
+        sum += dot(vec3_of(mesh.vertices[a]),
+                   cross(vec3_of(mesh.vertices[b]), vec3_of(mesh.vertices[c])));
     }
     return sum / 6.0;
 }
@@ -143,7 +141,9 @@ TEST(Solid, NoTwoVerticesFallTogetherAndNoTriangleIsAPoint) {
     EXPECT_EQ(std::ranges::adjacent_find(vertices), vertices.end());
     for (const auto& [a, b, c] : solid.mesh.triangles) {
         const auto& v = solid.mesh.vertices;
-        EXPECT_GT(length(cross(vec(v[b]) - vec(v[a]), vec(v[c]) - vec(v[a]))), 1e-6);
+        EXPECT_GT(
+            length(cross(vec3_of(v[b]) - vec3_of(v[a]), vec3_of(v[c]) - vec3_of(v[a]))),
+            1e-6);
     }
 }
 
@@ -160,8 +160,9 @@ TEST(Solid, FacesOutward) {
     const auto& s = solid.size;
     int up = 0, down = 0, sides = 0;
     for (const auto& [a, b, c] : solid.mesh.triangles) {
-        const Vec3 n = normalized(cross(vec(v[b]) - vec(v[a]), vec(v[c]) - vec(v[a])));
-        const Vec3 middle = (1.0 / 3.0) * (vec(v[a]) + vec(v[b]) + vec(v[c]));
+        const Vec3 n = normalized(
+            cross(vec3_of(v[b]) - vec3_of(v[a]), vec3_of(v[c]) - vec3_of(v[a])));
+        const Vec3 middle = (1.0 / 3.0) * (vec3_of(v[a]) + vec3_of(v[b]) + vec3_of(v[c]));
         if (middle.z == 0.0) {
             ++down;
             EXPECT_EQ(n, (Vec3{0.0, 0.0, -1.0}));
@@ -294,7 +295,8 @@ TEST(MeshFiles, StlIsOfTheSizeItSaysWithNormalsOfItsTriangles) {
     EXPECT_FALSE(stl.starts_with("solid"));  // readers would take it for text
     for (std::size_t i = 0; i < count; ++i) {
         const auto v = at<std::array<std::array<float, 3>, 4>>(stl, 84 + 50 * i);
-        const Vec3 n = cross(vec(v[2]) - vec(v[1]), vec(v[3]) - vec(v[1]));
-        EXPECT_LT(length(normalized(n) - vec(v[0])), 1e-5);
+        const Vec3 n =
+            cross(vec3_of(v[2]) - vec3_of(v[1]), vec3_of(v[3]) - vec3_of(v[1]));
+        EXPECT_LT(length(normalized(n) - vec3_of(v[0])), 1e-5);
     }
 }

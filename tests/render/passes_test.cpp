@@ -82,8 +82,6 @@ Camera overhead() {
     return c;
 }
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
 class Quiet final : public Progress {
   public:
     void step(std::string_view) override {}
@@ -297,7 +295,7 @@ TEST(Passes, MotionIsWhereThePointGoes) {
                 EXPECT_EQ(motion.values[i], 0.0f);
                 continue;
             }
-            const auto at = then.project(vec(p.at));
+            const auto at = then.project(vec3_of(p.at));
             EXPECT_NEAR(x + 0.5 + motion.values[i], at.x, 0.01 + 1e-3 * std::abs(at.x));
             moved += motion.values[i] < -0.5f;
         }
