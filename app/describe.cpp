@@ -1,11 +1,11 @@
 #include "app/describe.h"
+#include "app/json.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/pipeline/memory.h"
@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 
 namespace cydonia {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Steepest descent to the south and east neighbours, degrees, sorted.
 std::vector<double> sorted_slopes(const Terrain& terrain) {

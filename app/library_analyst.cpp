@@ -1,9 +1,9 @@
 #include "app/library_analyst.h"
+#include "app/json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/pipeline/key.h"
 #include "app/pipeline/output_folder.h"
@@ -19,7 +19,6 @@ namespace {
 
 using genetic::Example;
 using statistics::Analysis;
-using Json = nlohmann::json;
 using Mask = Field<std::uint8_t>;
 
 constexpr double kFinest =

@@ -10,7 +10,7 @@
 namespace cydonia {
 namespace {
 
-constexpr int kSamples = 512;
+constexpr int kGltfSamples = 512;
 
 std::string file_name(const Job& job) {
     return fmt::format("export/{}.glb", job.spec->name);
@@ -57,7 +57,7 @@ void say_what_it_is(const Json& result, const Job& job) {
 
 Step gltf_step(const Job& job) {
     const int samples =
-        samples_of(*job.request.export_as, kSamples, render::kMostGltfSamples);
+        samples_of(*job.request.export_as, kGltfSamples, render::kMostGltfSamples);
     const auto key = [&job, samples] {
         return KeyBuilder("glb")
             .add(job.program)

@@ -13,7 +13,7 @@
 namespace cydonia {
 namespace {
 
-constexpr int kSamples = 512;
+constexpr int kSolidSamples = 512;
 
 struct SolidRequest {
     MeshFormat format;
@@ -104,7 +104,7 @@ void say_its_lamps(const Json& result, const SolidOptions& options, Progress& pr
 Step solid_step(const Job& job) {
     const ExportRequest& request = *job.request.export_as;
     SolidRequest asked{std::get<MeshFormat>(request.format), request.solid};
-    asked.options.samples = samples_of(request, kSamples, kMostSolidSamples);
+    asked.options.samples = samples_of(request, kSolidSamples, kMostSolidSamples);
     expect_in_range(asked.options);
     const auto key = [&job, options = asked.options] {
         return KeyBuilder("solid")

@@ -203,8 +203,6 @@ Field<float> LandStore::tile(int x, int y, int width, int height,
     const std::vector<const StageOptions*> stages = scene_->stage_options();
     return cydonia::tile(Stages(stages), {width_, height_, spacing_}, context, x, y,
                          width, height);
-}, context, x,
-                         y, width, height);
 }
 
 fs::path LandStore::cached(int number) const {

@@ -4,15 +4,13 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/json.h"
 #include "app/pipeline/key.h"
 
 namespace cydonia {
-
-using Json = nlohmann::ordered_json;
 
 // What a finished step left behind.
 struct StepRecord {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSvgPixels = 512;  // a drawing has no pixels of its own
 constexpr int kMostLines = 4096;
-constexpr std::size_t kMostBytes = kMostLines * 256u;
+constexpr std::size_t kMostCurveBytes = kMostLines * 256u;
 constexpr double kMost = 1e9;  // of x and f: their differences stay numbers
 
 // Points and how messages name them.
@@ -97,7 +97,7 @@ bool parse(std::string_view line, CurvePoint& point) {
 Reading tabled(const Source& source, const std::string& what) {
     Reading reading{
         .points = {}, .lines = {}, .name = what + ": " + source.path.string()};
-    const std::string text = read_text(source.path, kMostBytes);
+    const std::string text = read_text(source.path, kMostCurveBytes);
     std::string_view rest = text;
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // a byte order mark
     for (int number = 1; !rest.empty(); ++number) {

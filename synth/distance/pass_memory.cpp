@@ -10,7 +10,7 @@ namespace cydonia::distance {
 namespace {
 
 constexpr std::string_view kKind = "cydonia passes 3\n";
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+constexpr std::size_t kMostKeptBytes = std::size_t{256} << 20;
 
 class Hash {
   public:
@@ -163,7 +163,7 @@ std::optional<Pass> PassMemory::recalled(int feature, std::span<const float> app
 void PassMemory::keep(int feature, const Pass& pass, std::span<const float> approximate) {
     const std::size_t count = pass.nodes.size();
     const std::size_t bytes = count * (sizeof(std::uint32_t) + sizeof(Label));
-    overflowed_ = overflowed_ || kept_.size() + bytes > kMostBytes;
+    overflowed_ = overflowed_ || kept_.size() + bytes > kMostKeptBytes;
     if (overflowed_) {
         kept_ = {};
         return;
