@@ -7,10 +7,13 @@
 set(CYDONIA_FILES_A_UNIT 6 CACHE STRING
     "Source files of one folder in one translation unit; 1: each is its own")
 
-# Groups the target's sources by folder, in the order of its list, and gives it a
-# precompiled header: the library's own or, in the hot libraries, that of cydonia_field.
+# Gives the target a precompiled header, which holds the headers of ARGN too.
+function(cydonia_precompiled target)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h ${ARGN})
+endfunction()
+
+# Groups the target's sources by folder, in the order of its list.
 function(cydonia_units target)
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
     if(CYDONIA_FILES_A_UNIT LESS 2)
         return()
     endif()
