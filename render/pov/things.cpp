@@ -30,7 +30,7 @@ std::string vector(const std::array<float, 3>& v) {
 template <class Vectors>
 void list(std::string& text, const char* what, const Vectors& vectors) {
     text += fmt::format("    {} {{ {}", what, vectors.size());
-    for (const auto& v : vectors) text += "," + vector(v);
+    for (const auto& v : vectors) text.append(",").append(vector(v));
     text += " }\n";
 }
 

@@ -9,9 +9,6 @@
 
 namespace cydonia::render {
 
-// Colour by colour.
-inline Vec3 mul(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-
 // Clear air under a distant light, computed by ray marching. Colours are linear Rec.709
 // for a light whose colour outside the air is 1 (render/sky/sky.h).
 class Atmosphere {
