@@ -208,7 +208,7 @@ TEST_F(Looks, MistakesSayWhereAndWhat) {
            "nowhere.toml");
     const std::string earth = "[[layer]]\nmaterial = \"stone.toml\"\n";
     EXPECT_EQ(complaint_of(earth, kStone), "");
-    expect(complaint_of("# nothing\n", kStone), "must be there, without conditions");
+    expect(complaint_of("# nothing\n", kStone), "a first [[layer]] without conditions");
     expect(complaint_of(earth + "steeper = [10, 20]\n", kStone), "lies everywhere");
     expect(complaint_of(earth + "[[layer]]\nmaterial = \"snoww\"\n", kStone),
            "mine.toml:4:12: layer[1].material: no material 'snoww'; did you mean 'snow'");
