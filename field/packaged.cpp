@@ -15,19 +15,27 @@ namespace {
 struct Packaged {
     const char* name;
     const char* package;
-    const char* file;  // as config/exemplars/NAME.vrt names it
+    const char* file;  // as config/exemplars/NAME.vrt names it: absolute, or beside it
 };
 
 constexpr Packaged kPackaged[] = {
     {"jacksboro", "python-matplotlib-data",
      "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"},
-    {"topography", "qtdatavisualization5-examples",
-     "/usr/lib/x86_64-linux-gnu/qt5/examples/datavisualization/texturesurface/"
-     "topography.png"},
+    {"topography", "qtdatavisualization5-examples", "topography.png"},
 };
 
 fs::path description_of(const std::string& name) {
     return data_file(fmt::format("exemplars/{}.vrt", name));
+}
+
+std::string missing(const Packaged& packaged, const fs::path& file) {
+    if (fs::path(packaged.file).is_absolute())
+        return fmt::format("there is no file '{}'; sudo apt install {}", file.string(),
+                           packaged.package);
+    return fmt::format(
+        "there is no file '{}'; take it out of the package: apt download {}, then "
+        "dpkg-deb -x",
+        file.string(), packaged.package);
 }
 
 }  // namespace
@@ -42,12 +50,11 @@ Source open_packaged_dem(const std::string& name) {
     const auto* packaged = std::ranges::find(kPackaged, name, &Packaged::name);
     if (packaged == std::end(kPackaged))
         throw bad_request("no package brings an elevation model '{}'", name);
+    const fs::path file = description_of(name).parent_path() / packaged->file;
     std::error_code ignored;
-    if (!fs::exists(packaged->file, ignored))
-        throw bad_request(
-            "the package {} is not installed (no file '{}'); sudo apt install {}",
-            packaged->package, packaged->file, packaged->package);
-    const Source data = open_source(packaged->file);
+    if (!fs::exists(file, ignored))
+        throw bad_request("package:{}: {}", name, missing(*packaged, file));
+    const Source data = open_source(file);
     Source source = open_source(description_of(name));
     source.hash = std::rotl(source.hash, 1) ^ data.hash;
     source.size += data.size;

@@ -32,7 +32,8 @@ fresh() { # a project with nothing built, on a machine where everything is in pl
     touch "$calls" "$box"/root/{CMakeLists.txt,CMakePresets.json,app/main.cpp}
     cp "$source_root/cydonia" "$box/root/"
     printf '# a comment\ncmake\npovray\n' >"$box/root/packages.txt"
-    tool dpkg-query 'printf "installed cmake\ninstalled povray\n"'
+    printf '# a comment\ngtest\n' >"$box/root/packages-test.txt"
+    tool dpkg-query 'printf "installed cmake\ninstalled povray\ninstalled gtest\n"'
     tool apt-get 'echo "pmstatus:povray:50.0:Unpacking"'
     tool id 'echo 0'
     tool ctest ''
@@ -85,6 +86,33 @@ cydonia info
 expect "root installs what is missing, and only that" \
     called "apt-get install --yes --no-install-recommends povray "
 expect "shows apt's progress" says "installing, 75%"
+
+fresh
+tool dpkg-query 'printf "installed cmake\ninstalled povray\n"'
+cydonia info
+expect "packages of the tests are not needed to run" not_called "apt-get install"
+cydonia test
+expect "test installs its own packages" called "apt-get install .* gtest "
+expect "test configures the tests" called "cmake --preset release -DCYDONIA_TESTS=ON"
+
+fresh
+mkdir -p "$box/root/config/exemplars" "$box/deb/texturesurface"
+echo heights >"$box/deb/texturesurface/topography.png"
+tool apt-get 'touch qtdatavisualization5-examples_1_all.deb'
+tool dpkg-deb "tar -C '$box' -c ./deb"
+cydonia info
+expect "takes the one file that it needs out of a package" \
+    grep -q heights "$box/root/config/exemplars/topography.png"
+expect "does not install that package" not_called "apt-get install"
+
+fresh
+mkdir -p "$box/root/config/exemplars"
+tool apt-get 'exit 100'
+tool dpkg-deb ''
+cydonia info
+expect "goes on without it" [ "$code" = 3 ]
+expect "says that it is missing" says "could not fetch the elevation model"
+expect "leaves nothing half-written" [ ! -e "$box/root/config/exemplars/topography.png" ]
 
 fresh
 tool dpkg-query 'printf "installed cmake\n"'
