@@ -110,8 +110,7 @@ void add_engine(CLI::App& command, Request& request) {
     };
     command
         .add_option_function<std::string>(
-            "--style", style,
-            fmt::format("of embree: {} [natural]", choices_in(render::kStyles)))
+            "--style", style, "of embree: natural, grey, ink, contours, ... [natural]")
         ->check(is_one_of(render::kStyles))
         ->type_name("NAME")
         ->needs("--engine");

@@ -26,7 +26,7 @@ void read(Table& t, texture::Options& o);     // texture.cpp
 void read(Table& t, Sun& sun);                         // common.cpp
 void read(Table& t, NoiseOptions& noise);              // common.cpp
 void read(Table& t, GeographicPosition& place);        // frames.cpp
-void read(Table& t, genetic::MapRegion& region);        // genetic.cpp
+void read(Table& t, genetic::MapRegion& region);       // genetic.cpp
 void read(Table& t, render::CameraKey& key);           // render_cameras.cpp
 void read(Table& t, render::ThingOptions& thing);      // render_things.cpp
 void read(Table& t, render::CameraOptions& camera);    // render_cameras.cpp

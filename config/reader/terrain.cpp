@@ -66,7 +66,8 @@ void check_tiles(Table& t, const TerrainSpec& terrain,
                 fmt::format("land of stage[{}] cannot be made in tiles: {}", i,
                             method.whole_because));
         t.check(method.makes_land == (i == 0), {"tiles"},
-                "land in tiles has one stage that makes it, and details after that");
+                "land in tiles needs a first stage that makes it, and only detail stages "
+                "after that");
     }
 }
 

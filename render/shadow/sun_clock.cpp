@@ -20,7 +20,7 @@ constexpr double kHour = kPi / kClockSuns;
 constexpr double kLowest = 2.0;     // degrees; a lower sun lights next to nothing
 constexpr double kFromRise = 30.0;  // degrees of azimuth from rise and set
 constexpr int kAcross = 4, kDown = 3;
-constexpr int kClockTile = 320;           // pixels, the longer side
+constexpr int kClockTile = 320;      // pixels, the longer side
 constexpr int kText = 22, kGap = 4;  // pixels
 constexpr Rgb8 kPaper{24, 24, 26};
 constexpr Rgb8 kWriting{200, 200, 200};

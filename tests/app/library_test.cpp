@@ -115,7 +115,7 @@ TEST_F(Libraries, ClassifyMixedLand) {
     write_geotiff(folder / "both.tif", both);
     const Outcome mixed = ask({"classify", "land.toml", "both.tif"});
     ASSERT_EQ(mixed.code, 0) << mixed.err;
-    EXPECT_NE(mixed.err.find("both.tif is of several types"), std::string::npos)
+    EXPECT_NE(mixed.err.find("both.tif has several types"), std::string::npos)
         << mixed.err;
     const Field<Rgba8> map = read_rgba(open_source(folder / "out/land/both-types.png"));
     EXPECT_EQ(map.width(), 320);
@@ -230,7 +230,7 @@ TEST_F(Libraries, AreReadFromTheThesisForm) {
           std::pair{"[Terrain Type: A\n", "ends with ]"},
           std::pair{"[Terrain Type: A]\n[Terrain Type: A]\n", "two terrain types 'A'"},
           std::pair{"[Terrain Type: A]\n\x01\x02\xff\n", "land.ttl:2: expected"},
-          std::pair{"# nothing\n", "no [Terrain Type"}}) {
+          std::pair{"# nothing\n", "no section [Terrain Type"}}) {
         folder.write("land.ttl", text);
         const Outcome refused = ask({"analyse", "land.ttl"});
         EXPECT_EQ(refused.code, 2);

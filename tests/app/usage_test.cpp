@@ -118,7 +118,7 @@ TEST(Usage, TheSchemaDescribesTheKeysOfEveryMethod) {
     const auto schema = nlohmann::json::parse(ask({"schema"}).out);
     const auto& terrain = schema.at("properties").at("terrain").at("properties");
     EXPECT_EQ(terrain.at("extent").at("description"),
-              "west to east, south to north (metres)");
+              "size of the land from west to east and from south to north (metres)");
     int bodies = 0;
     for (const auto& stage : terrain.at("stage").at("items").at("anyOf"))
         for (const auto& [key, value] : stage.at("properties").items()) {
@@ -129,5 +129,5 @@ TEST(Usage, TheSchemaDescribesTheKeysOfEveryMethod) {
     const auto& camera =
         schema.at("properties").at("render").at("properties").at("camera");
     EXPECT_EQ(camera.at("items").at("properties").at("azimuth").at("description"),
-              "where the camera stands, from the centre; oblique and orbit (degrees)");
+              "direction from the centre to the camera; oblique and orbit (degrees)");
 }

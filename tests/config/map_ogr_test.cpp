@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, OgrFormat,
                          testing::Values(std::pair{"m.geojson", "GeoJSON"},
                                          std::pair{"m.shp", "ESRI Shapefile"},
                                          std::pair{"m.gpkg", "GPKG"}),
-                         [](const auto& info) {
-                             const std::string file = info.param.first;
+                         [](const auto& format) {
+                             const std::string file = format.param.first;
                              return file.substr(file.find('.') + 1);
                          });
 

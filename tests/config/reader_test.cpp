@@ -335,8 +335,8 @@ TEST_F(Reader, NameIsTheFoldersOrTheFiles) {
     EXPECT_EQ(name("text/scene.toml"), "text");
     EXPECT_EQ(name("text/../other/scene.toml"), "other");
     EXPECT_EQ(name("foo.toml"), "foo");
-    EXPECT_EQ(name("a b.c/scene.toml"), "a_b_c");
-    EXPECT_EQ(name("..toml"), "_");
+    EXPECT_EQ(name("a b.c/scene.toml"), "a-b-c~c05ac95fa89b8bc7");
+    EXPECT_EQ(name("..toml"), "-~ab8a815a3d735ad3");
 }
 
 }  // namespace

@@ -996,7 +996,7 @@ TEST(FeaturesRefuse, LevelsAndDistancesWithoutGround) {
         terraces.levels = std::move(levels);
         expect_refused(with({group_of("steps", terraces)}), words);
     };
-    refused({}, "without a level");
+    refused({}, "no level; add one");
     refused({{{0.5, 0.5}, {}}}, "terrace 1 is from 0.5 to 0.5");
     refused({{{0.2, 0.5}, {}}, {{0.4, 0.9}, {}}}, "terrace 2 reaches 0.9");
     refused({{{0.9999999, 0.99999999}, {}}}, "no ground lies in terrace 1");

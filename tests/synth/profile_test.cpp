@@ -422,9 +422,9 @@ TEST(Curve, OfPointsWithAFlaw) {
     refused({{0, 10}, {4, 5}, {7, 6}, {9, 0}}, "profile test at x = 7: rises");
     refused({{0, 1}, {4, 1}}, "profile test is flat");
     refused({{0, 1}, {0, 0}}, "x must increase");
-    refused({{0, 1}, {NAN, 0}}, "not a number");
-    refused({{0, 1}, {1, NAN}}, "not a number");
-    refused({{0, 1}, {1e308, 0}}, "not a number");
+    refused({{0, 1}, {NAN, 0}}, "not finite or too large");
+    refused({{0, 1}, {1, NAN}}, "not finite or too large");
+    refused({{0, 1}, {1e308, 0}}, "not finite or too large");
 }
 
 class Picture {

@@ -293,7 +293,7 @@ TEST_F(Text, ThatIsNotALine) {
     EXPECT_TRUE(contains(refused({.text = "  "}), "it has no visible letter"));
     EXPECT_TRUE(contains(refused({.text = "a\nb"}), "control character U+000A"));
     EXPECT_TRUE(contains(refused({.text = "a\xff"}), "not UTF-8"));
-    EXPECT_TRUE(contains(refused({.text = std::string(300, 'a')}), "more than 256"));
+    EXPECT_TRUE(contains(refused({.text = std::string(300, 'a')}), "at most 256"));
 }
 
 TEST_F(Target, NamesAreFoldersAndNoTwoAlike) {
