@@ -79,13 +79,16 @@ TEST_P(HeightsOfMethods, MoveOnlyWithTheVersion) {
         kRoot / "tests/golden/heights" / (GetParam() + std::string(".txt"));
     const TemporaryFolder folder;
     const Outcome made =
-        run({}, {"synth", scene.string(), "-o", (folder / "out").string(), "--set",
-                 fmt::format("terrain.samples={}", kSamples)});
+        run({folder.path()}, {"synth", scene.string(), "-o", (folder / "out").string(),
+                              "--set", fmt::format("terrain.samples={}", kSamples)});
     ASSERT_EQ(made.code, 0) << made.err;
     const Signature now{
         versions_of(scene),
         block_means(read_dem(open_source(folder / "out/terrain.tif")).heights)};
-    if (std::getenv("CYDONIA_RECORD")) write(golden, now);
+    if (std::getenv("CYDONIA_RECORD")) {
+        fs::create_directories(golden.parent_path());
+        write(golden, now);
+    }
 
     const Signature held = signature_in(golden);
     ASSERT_EQ(held.means.size(), now.means.size()) << "no heights in " << golden;
