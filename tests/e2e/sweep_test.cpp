@@ -55,9 +55,10 @@ struct Sweep : testing::Test {
     std::set<std::string> noted_files() const {
         std::ifstream in(out / ".cache/steps.jsonl");
         std::set<std::string> files;
-        for (std::string line; std::getline(in, line);)
-            for (const std::string file : Json::parse(line).at("outputs"))
-                files.insert(file);
+        for (std::string line; std::getline(in, line);) {
+            const Json record = Json::parse(line);
+            for (const std::string file : record.at("outputs")) files.insert(file);
+        }
         return files;
     }
     Field<Rgba8> picture(const std::string& name) const {
