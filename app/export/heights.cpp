@@ -10,8 +10,6 @@
 namespace cydonia {
 namespace {
 
-constexpr int kMostSamples = 16384;
-
 std::string file_name(const Job& job, HeightFormat format) {
     return fmt::format("export/{}.{}", job.spec->name, extension_of(format));
 }
@@ -80,7 +78,7 @@ void say_what_it_is(const Json& result, const Job& job, HeightFormat format) {
 
 Step heights_step(const Job& job) {
     const auto format = std::get<HeightFormat>(job.request.export_as->format);
-    const int most = format == HeightFormat::kXyz ? kMostXyzSamples : kMostSamples;
+    const int most = format == HeightFormat::kXyz ? kMostXyzSamples : kLargestSide;
     const int by_default = std::max(job.land.width(), job.land.height());
     const int samples = samples_of(*job.request.export_as, by_default, most);
     const auto key = [&job, format, samples] {

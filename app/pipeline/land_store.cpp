@@ -43,13 +43,12 @@ int factor_of(const config::SceneSpec& spec, int samples, render::Quality qualit
         return std::holds_alternative<pareidolia::Options>(stage.options);
     });
     if (hides && !options.factor) return 1;
-    constexpr int kMost = 16384;  // samples a side of any land
     const int factor = render::fine_factor(options, samples, quality);
-    if (factor > 1 && factor * samples > kMost)
+    if (factor > 1 && factor * samples > kLargestSide)
         throw bad_request(
             "render.fine_relief: {} times {} samples a side are more than {}; lower "
             "factor",
-            factor, samples, kMost);
+            factor, samples, kLargestSide);
     return factor;
 }
 

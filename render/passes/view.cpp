@@ -24,7 +24,6 @@ namespace {
 using embree::Vertex;
 using embree::vertex;
 
-constexpr int kMaxSide = 16384;
 constexpr int kLandsAround = 2;  // copies of the land on each side, as in the .pov
 constexpr int kDiscPairs = 16;   // pairs of directions to the sun that sample a penumbra
 constexpr int kTile = 4;         // 4x4 neighbouring pixels are one packet of rays
@@ -343,8 +342,9 @@ Scenery scenery_of(const Shot& shot, const Terrain& terrain) {
 
 View::View(const Terrain& terrain, const Scenery& scenery) {
     const Field<float>& h = terrain.heights;
-    if (std::min(h.width(), h.height()) < 2 || std::max(h.width(), h.height()) > kMaxSide)
-        throw bad_request("passes need 2x2 to {0}x{0} heights, not {1}x{2}", kMaxSide,
+    if (std::min(h.width(), h.height()) < 2 ||
+        std::max(h.width(), h.height()) > kLargestSide)
+        throw bad_request("passes need 2x2 to {0}x{0} heights, not {1}x{2}", kLargestSide,
                           h.width(), h.height());
     if (!(terrain.spacing > 0.0) ||
         !std::ranges::all_of(h, [](float v) { return std::isfinite(v); }))

@@ -14,7 +14,7 @@ namespace cydonia::render {
 
 namespace {
 
-constexpr int kMaxSide = 16384;  // Embree's grids have at most 32767 a side
+static_assert(kLargestSide <= 32767);  // as many samples a side has an Embree grid
 constexpr std::size_t kMaxSamples = std::size_t{1} << 32;
 constexpr int kTile = 4;  // 4x4 neighbouring samples are one packet of rays
 
@@ -65,9 +65,9 @@ struct Start {
 
 void check_request(const Field<float>& heights, double spacing) {
     const int w = heights.width(), h = heights.height();
-    if (std::min(w, h) < 2 || std::max(w, h) > kMaxSide)
-        throw bad_request("shadows need 2x2 to {0}x{0} heights, not {1}x{2}", kMaxSide, w,
-                          h);
+    if (std::min(w, h) < 2 || std::max(w, h) > kLargestSide)
+        throw bad_request("shadows need 2x2 to {0}x{0} heights, not {1}x{2}",
+                          kLargestSide, w, h);
     if (!(spacing > 0.0) || !std::isfinite(spacing))
         throw bad_request("shadows need a cell size above 0 m, not {}", spacing);
     for (std::size_t i = 0; i < heights.size(); ++i)

@@ -52,7 +52,7 @@ struct Sequences : testing::Test {
                 const std::string& quality = "draft") {
         folder.write("land.toml", scene);
         std::vector<std::string> arguments{command, "land.toml", "--quality",
-                                           "draft", "--set",     "terrain.samples=32"};
+                                           quality, "--set",     "terrain.samples=32"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run({folder.path()}, arguments);
     }
